@@ -3,6 +3,7 @@ class with the operators, of(constant, like) and the functions below as methods;
 what is constant is an interval.
 """
 import functools
+import operator
 import re
 
 from mpmath import iv
@@ -138,13 +139,18 @@ def lift(c, like):
         like, INTERVAL) else c
 
 
+def product_of(u, n):
+    return functools.reduce(operator.mul, n * [u], lift(ONE, u))
+
+
 def power(u, p):
     n = whole(p)
     if n is None:
         return function('exp', combine('*', p, function('ln', u)))
-    out = lift(ONE, u)
-    for _ in range(abs(n)):
-        out = out * u
+    if isinstance(u, INTERVAL):
+        out = u ** abs(n)
+    else:
+        out = u.to_power(abs(n)) if hasattr(u, 'to_power') else product_of(u, abs(n))
     return lift(ONE, u) / out if n < 0 else out
 
 

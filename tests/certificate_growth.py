@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from mpmath import iv
 
-from certificate_formula import asinh
+from certificate_formula import asinh, product_of
 
 ZERO, ONE, PART = iv.mpf(0), iv.mpf(1), iv.mpf([0, 1])
 ALL = iv.mpf(['-inf', 'inf'])
@@ -115,9 +115,9 @@ class Grow:
         return self + -w
 
     def or_by(self, w):
-        """What has no bound of its own by what is as large."""
-        return self if is_finite(self.c) else Grow(
-            self.box, w.power, w.slope, w.c, meet(w.all, self.all))
+        """By what is as large, too, whose form is its own where that has no bound."""
+        u = self if is_finite(self.c) else w
+        return Grow(self.box, u.power, u.slope, u.c, meet(w.all, self.all))
 
 
 class Jet:
@@ -185,6 +185,15 @@ class Jet:
         value = Grow(u.box, NONE, u.power, iv.log(u.c),
                      iv.log(u.all) if u.all > 0 else ALL)
         return Jet(value, self.rate, self.rate / value)
+
+    def to_power(self, n):
+        """Of u > 0 a product; else n u^(n - 1) u' and n (ln |u|)'."""
+        u = self.value
+        if n == 0 or u.level().c > 0:
+            return product_of(self, n)
+        size = iv.mpf(n)
+        return Jet(u.number(u.all ** n), u.number(size * u.all ** (n - 1)) * self.by,
+                   u.number(size) * self.rate)
 
     def to_sqrt(self):
         return self.to_ln().times(ONE / 2).to_exp()

@@ -61,11 +61,37 @@ static void asinh_exp(mpfi_ptr out, mpfi_srcptr u)
     mpfi_asinh(out, out);
 }
 
-/* exp(w ln u) of u > 0 */
+static bool is_whole(mpfi_srcptr w, long *n)
+{
+    *n = mpfr_get_si(&w->left, MPFR_RNDN);
+    return mpfr_equal_p(&w->left, &w->right) && mpfr_cmp_si(&w->left, *n) == 0;
+}
+
+/* u^n rises with |u|, or with u where n is odd. */
+static void whole_power(mpfi_ptr out, mpfi_srcptr u, long n)
+{
+    const unsigned long size = n < 0 ? -(unsigned long) n : (unsigned long) n;
+
+    if (size % 2)
+        mpfi_set(out, u);
+    else
+        mpfi_abs(out, u);
+    mpfr_pow_ui(&out->left, &out->left, size, MPFR_RNDD);
+    mpfr_pow_ui(&out->right, &out->right, size, MPFR_RNDU);
+    if (n < 0)
+        mpfi_inv(out, out);
+}
+
+/* Of a whole w; else exp(w ln u) of u > 0. */
 static void power(mpfi_ptr out, mpfi_srcptr u, mpfi_srcptr w)
 {
     mpfi_t l;
+    long n;
 
+    if (is_whole(w, &n)) {
+        whole_power(out, u, n);
+        return;
+    }
     mpfi_init2(l, mpfi_get_prec(out));
     mpfi_log(l, u);
     mpfi_mul(l, l, w);

@@ -1,6 +1,7 @@
 #include "interval_growth.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "interval_math.h"
 
@@ -187,6 +188,11 @@ struct jet1 {
     struct growth value, by, rate;
 };
 
+static struct jet1 constant(struct interval c)
+{
+    return (struct jet1){ number(c), number(point(0)), number(point(0)) };
+}
+
 static struct jet1 get(const struct interval_growth *w, int i)
 {
     return (struct jet1){ w->value[i], w->by[i], w->rate[i] };
@@ -276,12 +282,30 @@ static struct jet1 logarithm(const struct interval_growth *w, struct jet1 u)
     return (struct jet1){ value, u.rate, over(w, u.rate, value) };
 }
 
-/* Of what is > 0. */
+/* u^n of any u, n u^(n - 1) u' and n (ln u)'; of n < 0 one over u^-n. */
+static struct jet1 whole_power(const struct interval_growth *w, struct jet1 u,
+                               long n)
+{
+    const struct interval m = point(labs(n)), all_of = u.value.all;
+    const struct growth slope =
+        number(interval_times(m, interval_power(all_of, labs(n) - (n != 0))));
+    const struct jet1 out = { number(interval_power(all_of, labs(n))),
+                              times(w, slope, u.by),
+                              times(w, number(m), u.rate) };
+
+    return n < 0 ? quotient(w, constant(point(1)), out) : out;
+}
+
+/* Of what is > 0, and whole ones. */
 static struct jet1 power(const struct interval_growth *w, struct jet1 u,
                          struct jet1 p)
 {
-    return level(u.value).c.lo > 0
-               ? exponential(w, product(w, p, logarithm(w, u)))
+    const struct interval n = p.value.all;
+
+    if (level(u.value).c.lo > 0)
+        return exponential(w, product(w, p, logarithm(w, u)));
+    return floorl(n.lo) >= n.hi && is_zero(p.by) && fabsl(n.lo) < 1e9
+               ? whole_power(w, u, (long) n.lo)
                : unknown();
 }
 
@@ -337,8 +361,6 @@ static bool call(const struct interval_growth *w, const struct formula_node *n,
                  struct jet1 *out)
 {
     const struct jet1 u = get(w, n->of[0]);
-    const struct jet1 half = { number(point(0.5)), number(point(0)),
-                               number(point(0)) };
 
     switch (n->function) {
         case FUNCTION_EXP:
@@ -351,7 +373,7 @@ static bool call(const struct interval_growth *w, const struct formula_node *n,
             *out = power(w, u, get(w, n->of[1]));
             return true;
         case FUNCTION_SQRT:
-            *out = power(w, u, half);
+            *out = power(w, u, constant(point(0.5)));
             return true;
         case FUNCTION_SINH:
             *out = hyperbolic(w, u);
@@ -378,14 +400,6 @@ static bool make(const struct interval_growth *w, int i, struct jet1 *out)
            : n->kind == FORMULA_TIMES ? product(w, u, v)
                                       : quotient(w, u, v);
     return true;
-}
-
-/* What does not move is as exact as the graph knows it. */
-static struct jet1 fixed(const struct interval_growth *w, int i)
-{
-    const struct growth zero = number(point(0));
-
-    return (struct jet1){ number(interval_graph_get(w->g, i)), zero, zero };
 }
 
 static bool does_move(const struct interval_growth *w, int i)
@@ -468,7 +482,8 @@ bool interval_growth_run(struct interval_growth *w,
     for (int k = 0; k < g->nodes; k++) {
         const int i = g->node[k];
         const int leaf = i == variable[0] ? 0 : i == variable[1] ? 1 : -1;
-        struct jet1 u = leaf >= 0 ? variable_of(w, leaf, by) : fixed(w, i);
+        struct jet1 u = leaf >= 0 ? variable_of(w, leaf, by)
+                                  : constant(interval_graph_get(g, i));
         w->moves[i] = does_move(w, i);
         w->change[i] = leaf >= 0 ? offset[leaf] : point(0);
         if (w->moves[i] && leaf < 0) {

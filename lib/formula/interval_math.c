@@ -192,6 +192,24 @@ static struct interval asinh_at(long double x)
     return x < 0 ? interval_minus(s) : s;
 }
 
+static struct interval power_at(long double x, long n)
+{
+    if (n == 0)
+        return interval_point(1);
+    const struct interval half = power_at(x, n / 2);
+    const struct interval square = interval_times(half, half);
+
+    return n % 2 ? interval_times(square, interval_point(x)) : square;
+}
+
+/* Rises with |u|, or with u where n is odd. */
+struct interval interval_power(struct interval u, long n)
+{
+    if (n % 2 == 0)
+        u = (struct interval){ interval_least(u), interval_most(u) };
+    return (struct interval){ power_at(u.lo, n).lo, power_at(u.hi, n).hi };
+}
+
 struct interval interval_sinh(struct interval u)
 {
     return rising(sinh_at, u);

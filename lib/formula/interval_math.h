@@ -135,6 +135,9 @@ struct interval interval_sqrt(struct interval u); /* of what is >= 0 */
 struct interval interval_sinh(struct interval u);
 struct interval interval_asinh(struct interval u);
 
+/* u^n of n >= 0 */
+struct interval interval_power(struct interval u, long n);
+
 /* asinh(e^u/2) */
 struct interval interval_asinh_exp(struct interval u);
 

@@ -26,7 +26,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 BESIDE = {  # else the test of its own name
-    'interval': ['interval_math', 'proof_field', 'proof_cone', 'proof_cell'],
+    'interval': ['interval_power', 'interval_math', 'proof_field', 'proof_cone', 'proof_cell'],
     'plane_proof': ['plane_proof'], 'proof_plane': ['proof_plane', 'plane_proof'],
     'proof_trap': ['proof_trap', 'plane_proof'], 'proof_cell': ['proof_cell', 'proof'],
     'proof_flow': ['proof_cone', 'proof_cell'], 'proof_fold': ['proof_side'],

@@ -139,6 +139,49 @@ static void laws_of_the_literature_are_proved(void **state)
     }
 }
 
+/* With x = ln v 0.35 - 0.01 x + x^3/2^17 = 0.4 where the block is at rest: the
+ * saddle is at v < 1. */
+static void whole_powers_of_what_is_negative_are_proved(void **state)
+{
+    static const char *const sets[] = {
+        "law.mu=mu_star + a*ln(v) + k*ln(v)^3 + b*ln(psi)",
+        "law.psi_ss=1/v",
+        "law.rate=1 - v*psi",
+        "material.mu_star=0.35",
+        "material.k=7.62939453125e-6",
+        "material.a=0.01",
+        "material.b=0.02",
+        "slope.tan_alpha=0.4",
+        "products=[knees]",
+    };
+    enum { SETS = sizeof sets / sizeof *sets };
+    static struct slope s;
+    char text[SETS][80], *set[SETS];
+    struct fault why;
+    long double level[2];
+
+    (void) state;
+    for (int i = 0; i < SETS; i++)
+        strcpy(set[i] = text[i], sets[i]);
+    CHECK(scene_read(&s.scene, NULL, set, SETS, &why) == STATUS_OK &&
+              study_run(&s.study, &s.scene, NULL, &why) == STATUS_OK,
+          "%s", why.text);
+    assert_int_equal(study_prove(&s.study), STATUS_OK);
+    assert_string_equal(s.study.proof.lie.text, "");
+    const struct saddle_numbers *n = &s.study.saddle_numbers;
+    is_proved("ln(v)^3", "v", &n->v);
+    is_proved("ln(v)^3", "psi", &n->psi);
+    is_proved("ln(v)^3", "psi_at_v0", &s.study.slider.critical.psi_at_v0);
+    is_proved("ln(v)^3", "v_plus", &s.study.slider.critical.v_plus);
+    for (int i = 0; i < 2; i++) {
+        const long double x = logl(i ? n->v.proved->hi : n->v.proved->lo);
+        level[i] = 0.35L - 0.01L * x + ldexpl(x * x * x, -17);
+    }
+    CHECK(level[0] > 0.4L && 0.4L > level[1], "%.20Lg %.20Lg", level[0],
+          level[1]);
+    slope_free(&s);
+}
+
 /* psi falls and rises beyond Nagata's: friction's own rate is in psi's. */
 static void what_a_law_does_not_have_is_said_and_nothing_proved(void **state)
 {
@@ -358,6 +401,7 @@ int main(void)
         cmocka_unit_test(each_bar_of_a_slope_meets_what_is_proved),
         cmocka_unit_test(bars_of_the_decimals_hold_what_is_proved_at_folds),
         cmocka_unit_test(laws_of_the_literature_are_proved),
+        cmocka_unit_test(whole_powers_of_what_is_negative_are_proved),
         cmocka_unit_test(what_a_law_does_not_have_is_said_and_nothing_proved),
         cmocka_unit_test(
             a_branch_without_an_end_is_followed_through_so_many_cells),
