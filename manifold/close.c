@@ -16,6 +16,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "many.h"
 #include "tolerance.h"
 
 enum { FINE = 8, MIDDLE = 6, COARSE = 4, FIRST = 4 };
@@ -107,37 +108,48 @@ static void look(struct approach *a)
     }
 }
 
-static void rates_at(const struct approach *a, struct vec2 z,
-                     struct tail_point *p)
-{
-    const struct planar *sys = a->sys;
-    struct planar_field f;
-    double rate = 1.0;
-
-    sys->field(sys->ctx, z, &f);
-    const double along = a->ind == 0 ? f.direction.x : f.direction.y;
-    const double across = a->ind == 0 ? f.direction.y : f.direction.x;
-    p->unknown = a->toward * across / along;
-    for (size_t i = 0; i < a->carry->count; i++) {
-        if (a->carry->which[i] != CARRY_TIME)
-            sys->rate_gradient(sys->ctx, (size_t) a->carry->which[i], z, &rate,
-                               NULL);
-        else
-            rate = 1.0;
-        p->integral[i] = a->toward * rate * exp(-f.log_scale) / along;
-    }
-}
-
-/* The rates at a distance beyond z. */
-static void rates_beyond(const struct approach *a, double distance,
-                         struct tail_point *p)
+/* Where the rates at a distance beyond z are taken. */
+static struct vec2 place_beyond(const struct approach *a, double distance)
 {
     const double kappa = a->kappa.unknown;
     const double moved = -a->first.unknown / kappa * expm1(-kappa * distance);
     const double ind = (a->ind == 0 ? a->z.x : a->z.y) + a->toward * distance;
     const double dep = (a->ind == 0 ? a->z.y : a->z.x) + moved;
 
-    rates_at(a, local_point(a->ind, ind, dep), p);
+    return local_point(a->ind, ind, dep);
+}
+
+/* An observable's rate at z, which was seen with that of `rated`. */
+static double rate_at(const struct approach *a, size_t i, struct vec2 z,
+                      int rated, const struct planar_look *seen)
+{
+    const struct planar *sys = a->sys;
+    double rate = rated >= 0 ? seen->rate : 1.0;
+
+    if (rated < 0 && a->carry->which[i] != CARRY_TIME)
+        sys->rate_gradient(sys->ctx, (size_t) a->carry->which[i], z, &rate,
+                           NULL);
+    return rate;
+}
+
+/* The rates at n <= FINE points. */
+static void rates_at(const struct approach *a, size_t n, const struct vec2 z[],
+                     struct tail_point p[])
+{
+    const int rated = many_carried(a->carry);
+    struct planar_look seen[FINE];
+
+    many_along(a->sys, n, z, rated, false, seen);
+    for (size_t k = 0; k < n; k++) {
+        const struct planar_field *f = &seen[k].J.field;
+        const double x = f->direction.x, y = f->direction.y;
+        const double along = a->ind == 0 ? x : y, across = a->ind == 0 ? y : x;
+        p[k].unknown = a->toward * across / along;
+        for (size_t i = 0; i < a->carry->count; i++)
+            p[k].integral[i] = a->toward *
+                               rate_at(a, i, z[k], rated, &seen[k]) *
+                               exp(-f->log_scale) / along;
+    }
 }
 
 /* Weights times the first n of p, over `unit`. */
@@ -164,8 +176,11 @@ static void rule(const struct approach *a, size_t n, const double node[],
                  const double weight[], double kappa, struct tail_point p[],
                  struct tail_point *sum)
 {
+    struct vec2 z[FINE];
+
     for (size_t k = 0; k < n; k++)
-        rates_beyond(a, node[k] / kappa, &p[k]);
+        z[k] = place_beyond(a, node[k] / kappa);
+    rates_at(a, n, z, p);
     sum_up(a, n, weight, p, kappa, sum);
 }
 

@@ -10,12 +10,9 @@ size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
                     struct graph_series *const out[])
 {
     const struct planar_many *many = most > 2 ? sys[0]->many : NULL;
-    size_t n = 1;
+    const size_t pair = most > 1 && sys[1] == sys[0] ? 2 : 1;
+    const size_t n = !many ? pair : most < JET_MANY ? most : JET_MANY;
 
-    while (n < most && n < (many ? (size_t) JET_MANY : 2) &&
-           (many ? sys[n]->many == many && many->alike(sys[0]->ctx, sys[n]->ctx)
-                 : sys[n] == sys[0]))
-        n++;
 #ifdef HAVE_WIDE_LANES
     if (many && many->width == 8)
         graph_expand_8(sys, carry, order, n, start, out);

@@ -21,8 +21,8 @@ struct graph_series {
 
 /* S = f_dep/f_ind and the integrals' rates over f_ind, order by order with the
  * graph itself (Jorba & Zou, Exp. Math. 14 (2005) 99-117).  Returns how many of
- * the first ones of `most` > 0, each of its own plane, were expanded: 1 or 2 of
- * one plane, or more where planes have jets for many. */
+ * the first ones of `most` > 0, each of its own plane, all alike (many.h), were
+ * expanded: 1 or 2 of one plane, or more where planes have jets for many. */
 size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
                     size_t order, size_t most, const struct graph_start start[],
                     struct graph_series *const out[]);

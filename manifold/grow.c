@@ -19,6 +19,7 @@
 
 #include "grow_end.h"
 #include "grow_error.h"
+#include "many.h"
 #include "tolerance.h"
 
 size_t grow_order(double rtol)
@@ -45,7 +46,8 @@ static double unit_of(double step)
 /* y(x) or x(y)?  Keeps the outward sense across a change. */
 static void choose_graph(struct grower *g)
 {
-    const double dx = g->end.field.direction.x, dy = g->end.field.direction.y;
+    const double dx = g->end.J.field.direction.x,
+                 dy = g->end.J.field.direction.y;
     const double far = fmax(1.0, fabs(g->z.y) / TOL_SLOPE_FAR);
     const double steep = g->ind == 0 ? TOL_SLOPE_STEEP : TOL_SLOPE_FLAT;
     const int now = fabs(dy) < steep * far * fabs(dx) ? 0 : 1;
@@ -62,10 +64,13 @@ static void choose_graph(struct grower *g)
     grow_error_look(g, g->z);
 }
 
-/* Whether both go by series of one order that carry the same. */
-static bool is_alike(const struct grow_options *a, const struct grow_options *b)
+/* Whether both go by series of one order that carry the same, of planes that
+ * are alike. */
+static bool is_alike(const struct grower *g, const struct grower *other)
 {
-    bool alike = a->order == b->order && a->carry.count == b->carry.count;
+    const struct grow_options *a = g->o, *b = other->o;
+    bool alike = g->kin == other->kin && a->order == b->order &&
+                 a->carry.count == b->carry.count;
 
     for (size_t i = 0; i < a->carry.count && alike; i++)
         alike = a->carry.which[i] == b->carry.which[i];
@@ -81,7 +86,7 @@ static size_t expand_some(struct grower *const g[], size_t n)
     struct graph_series *u[GROWERS];
     size_t most = 0;
 
-    for (; most < n && is_alike(o, g[most]->o); most++) {
+    for (; most < n && is_alike(g[0], g[most]); most++) {
         sys[most] = g[most]->sys;
         start[most] =
             (struct graph_start){ g[most]->z, g[most]->ind, g[most]->unit };
@@ -157,14 +162,43 @@ static bool is_doubtful(const struct grower *g, double field)
            g->unit * g->h > TOL_STEP_LEAP * g->last;
 }
 
+/* The field at the end of a step. */
+static void look_at_end(struct grower *g)
+{
+    const struct vec2 end = step_end(g, g->toward * g->h);
+
+    g->sys->jacobian(g->sys->ctx, end, &g->end.J);
+    g->rated = false;
+}
+
+/* At the end of the step, of the first of n; of how many. */
+static size_t look_at_ends(struct grower *const g[], size_t n)
+{
+    const int which = many_carried(&g[0]->o->carry);
+    const struct planar *sys[GROWERS];
+    struct planar_look end[GROWERS];
+    struct vec2 z[GROWERS];
+    size_t count = 0;
+
+    for (; count < n && is_alike(g[0], g[count]); count++) {
+        sys[count] = g[count]->sys;
+        z[count] = step_end(g[count], g[count]->toward * g[count]->h);
+    }
+    many_at(sys, count, z, which, true, end);
+    for (size_t i = 0; i < count; i++) {
+        g[i]->end = end[i];
+        g[i]->rated = which >= 0;
+    }
+    return count;
+}
+
 /* At the end of the step; where that says little on the way as well, and what
  * is off there counts. */
-static bool step_holds(struct grower *g, struct vec2 end)
+static bool step_holds(struct grower *g)
 {
     static const double part[] = { 0.5, 0.75, 0.9 };
     const double s = g->toward * g->h;
-    g->sys->jacobian(g->sys->ctx, end, &g->end);
-    const struct vec2 d = g->end.field.direction;
+    const struct vec2 d = g->end.J.field.direction;
     const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
     double off;
 
@@ -270,24 +304,23 @@ static void look_for_end(struct grower *g, bool edge)
  * ended. */
 static enum status step(struct grower *g)
 {
-    choose_step(g);
-    bool edge = clip_to_domain(g);
-    while (!step_holds(g, step_end(g, g->toward * g->h))) {
+    while (!step_holds(g)) {
         g->h *= 0.5;
-        edge = false;
+        g->edge = false;
         g->b->rejected++;
         if (!(g->unit * g->h >
               4.0 * DBL_EPSILON * (g->unit + fabs(g->u.at[g->ind][0])))) {
             g->done = g->o->follower != NULL;
             return g->done ? STATUS_OK : STATUS_NO_CONVERGENCE;
         }
+        look_at_end(g);
     }
     grow_error_step(g, step_end(g, g->toward * g->h));
     const enum status s = store_step(g);
     if (s != STATUS_OK)
         return s;
     advance(g);
-    look_for_end(g, edge);
+    look_for_end(g, g->edge);
     return !g->done && g->b->steps % TOL_MONITOR_STEPS == 0 &&
                    monitor_tell(g->o->monitor, "manifold", g->b->steps, 0)
                ? STATUS_STOPPED
@@ -317,10 +350,9 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
     g->unit = u->unit;
     g->h = u->radius;
     g->order = u->order;
-    const struct vec2 end = step_end(g, s);
-    g->sys->jacobian(g->sys->ctx, end, &g->end);
+    look_at_end(g);
     g->out = (struct outward){ 0 };
-    grow_error_step(g, end);
+    grow_error_step(g, step_end(g, s));
     const enum status status = store_step(g);
     if (status != STATUS_OK)
         return status;
@@ -360,6 +392,12 @@ static size_t step_all(struct grower g[], size_t n)
         }
     for (size_t i = 0; i < count;)
         i += expand_some(&busy[i], count - i);
+    for (size_t i = 0; i < count; i++) {
+        choose_step(busy[i]);
+        busy[i]->edge = clip_to_domain(busy[i]);
+    }
+    for (size_t i = 0; i < count;)
+        i += look_at_ends(&busy[i], count - i);
     for (size_t i = 0; i < count; i++)
         busy[i]->failed = step(busy[i]);
     return count;
@@ -408,12 +446,24 @@ static enum status end(struct grower g[2], const struct grow_job *job)
     return g[0].failed;
 }
 
+/* Of job i's branches. */
+static int kin_of(const struct grow_job job[], size_t i)
+{
+    size_t first = 0;
+
+    while (!many_alike(job[first].sys, job[i].sys))
+        first++;
+    return (int) first;
+}
+
 void grow_jobs(struct grow_job job[], size_t n)
 {
     struct grower g[GROWERS];
 
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; i < n; i++) {
         start(&g[2 * i], &job[i]);
+        g[2 * i].kin = g[2 * i + 1].kin = kin_of(job, i);
+    }
     while (step_all(g, 2 * n) > 0)
         for (size_t i = 0; i < n; i++)
             stop_failed(&g[2 * i]);

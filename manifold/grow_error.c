@@ -22,7 +22,7 @@ double grow_error_bound(const struct grow_miss *m)
 void grow_error_look(struct grower *g, struct vec2 z)
 {
     const struct planar *sys = g->sys;
-    const struct planar_jacobian *J = &g->end;
+    const struct planar_jacobian *J = &g->end.J;
     const bool over_x = g->ind == 0;
     const struct vec2 f = J->field.direction;
     const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
@@ -36,12 +36,13 @@ void grow_error_look(struct grower *g, struct vec2 z)
     g->out.slope_i = (dep_i - g->out.slope * ind_i) / ind;
     g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        double rate;
-        struct vec2 gradient;
+        double rate = g->end.rate;
+        struct vec2 gradient = g->end.gradient;
         if (!g->b->from_saddle[i])
             continue;
-        sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate,
-                           &gradient);
+        if (!g->rated)
+            sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z,
+                               &rate, &gradient);
         const double rate_i = over_x ? gradient.x : gradient.y;
         const double rate_d = over_x ? gradient.y : gradient.x;
         g->out.swift[i] = unit * rate / ind;
@@ -112,12 +113,13 @@ struct noise {
 
 static struct noise noise_at(const struct grower *g, struct vec2 z)
 {
-    const struct mat2 m = g->end.matrix;
-    const struct vec2 f = g->end.field.direction;
+    const struct mat2 m = g->end.J.matrix;
+    const struct vec2 f = g->end.J.field.direction;
     const double x = fabs(m.xx * z.x) + fabs(m.xy * z.y);
     const double y = fabs(m.yx * z.x) + fabs(m.yy * z.y);
     const double ind = fabs(g->ind == 0 ? f.x : f.y);
-    const double rate = TOL_ROUNDINGS_FEW + 0.5 * fabs(g->end.field.log_scale) +
+    const double rate = TOL_ROUNDINGS_FEW +
+                        0.5 * fabs(g->end.J.field.log_scale) +
                         (g->ind == 0 ? x : y) / ind;
 
     return (struct noise){ DBL_EPSILON * (rate * fabs(g->out.slope) +

@@ -41,8 +41,11 @@ struct grower {
     double h;    /* step chosen, of s, positive */
     double last; /* length of the step before */
     double kink; /* slope that its series misses on the way */
-    struct planar_jacobian end; /* the field at the end of the last step */
-    struct outward out;         /* and what travels there */
+    struct planar_look end; /* at the end of the last step */
+    bool rated;             /* with the rate of what is carried alone */
+    bool edge;              /* the step ends on that of the domain */
+    int kin;                /* the first of all whose plane is alike */
+    struct outward out;     /* and what travels there */
     struct graph_series u;
     size_t order; /* of u */
 };

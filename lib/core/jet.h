@@ -9,7 +9,8 @@
  * arguments and 0..k-1 of itself and of its helper series: calling it for k =
  * 0, 1, 2, ... builds the whole series at the cost of one convolution an
  * operation (Moore 1966; Jorba & Zou, Exp. Math. 14 (2005) 99-117, sec. 3).
- * Order 0 is evaluated by the same careful scalar code as everywhere else.
+ * Order 0 is evaluated by the same careful scalar code as everywhere else, or
+ * over lanes with its bits (elementary_lanes.h).
  */
 #pragma once
 

@@ -60,8 +60,16 @@ struct planar_steady {
 
 enum { PLANAR_OBSERVABLES_MAX = 6 };
 
+/* At a point: the field and its matrix, an observable's rate and its gradient.
+ */
+struct planar_look {
+    struct planar_jacobian J;
+    double rate;
+    struct vec2 gradient;
+};
+
 /* The jets of JET_MANY planes along a curve each, ctx[lane] their contexts: for
- * files whose pairs have so many lanes. */
+ * files whose pairs have so many lanes; and what they are at points. */
 struct planar_many {
     int width; /* of the registers they are made for */
     bool (*alike)(const void *ctx, const void *other); /* may they be so */
@@ -71,6 +79,11 @@ struct planar_many {
     void (*rate_jet)(const void *const ctx[], size_t which, struct jet_work *w,
                      size_t k, const jet_pair x[], const jet_pair y[],
                      jet_pair rate[]);
+    /* At z[i] of plane ctx[i], i < n <= JET_MANY, all alike: the bits of
+     * jacobian or, without slopes, of field, and of rate_gradient of an
+     * observable (which < 0: of none). */
+    void (*look)(const void *const ctx[], size_t n, const struct vec2 z[],
+                 int which, bool slopes, struct planar_look out[]);
 };
 
 struct planar {

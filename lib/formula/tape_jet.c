@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "tape_course.h"
+#include "tape_start.h"
 #include "tape_sums.h"
 
 static void course_at(struct course *c, const void *const ctx[],
@@ -304,88 +305,6 @@ static void run(const struct course *c, size_t k, int part)
         order_plain(c, k, &c->p->part[part]);
 }
 
-/* ---- order 0 ------------------------------------------------------------- */
-
-/* Steps of a part and then its rates; the chart's own fix the scale. */
-static void start_lane(const struct course *c, int part, int l,
-                       struct tape_kept *v, double *scale, double rate[])
-{
-    const struct tape_plane *p = c->ctx[l];
-    const int from = part ? p->t.rate_steps : 0;
-    double e[2];
-
-    v->p = p;
-    for (int i = 0; i < from + 2; i++)
-        v->reg[i] = c->reg[i][l];
-    tape_keep(v, part);
-    for (int i = 0; i < (part ? 1 : 2); i++)
-        e[i] = real_tape_exponent(&p->t, part ? part + 1 : i, v->reg);
-    if (part == 0)
-        *scale = e[0] > e[1] ? e[0] : e[1];
-    for (int i = 0; i < (part ? 1 : 2); i++)
-        rate[i] = tape_start_rate(v, part ? part + 1 : i, e[i] - *scale);
-}
-
-static void keep_pairs(const struct course *c,
-                       const struct tape_kept *const v[], int from, int to)
-{
-#define KEEP(l) v[l]->keep[i]
-    for (int i = from; i < to; i++)
-        c->keep[i] = JET_EACH(KEEP);
-#undef KEEP
-}
-
-/* The coefficients of a part's entries. */
-static void start_entries(const struct course *c, const struct tape_part *part)
-{
-#define COEFFICIENT(l)                                                         \
-    ((const struct tape_plane *) c->ctx[l])->op[i / 2].c[i % 2]
-    for (int i = 2 * part->op; i < 2 * part->ops; i++)
-        c->constant[i] = JET_EACH(COEFFICIENT);
-#undef COEFFICIENT
-}
-
-/* In pairs: a lane that is written by itself stalls whoever reads the pair. */
-static void start(const struct course *c, struct jet_work *w, int part)
-{
-    const struct tape_plane *p = c->p;
-    const bool *used = part ? p->t.used[part - 1] : NULL;
-    const int lanes = JET_LANES == 2 ? 2 : w->lanes;
-    const struct tape_kept *v[JET_LANES];
-    struct tape_kept own[JET_LANES];
-    double rate[JET_LANES][2], scale[JET_LANES];
-
-    for (int l = 0; l < lanes; l++) {
-        v[l] = &own[l];
-        scale[l] = part ? w->log_scale[l] : 0.0;
-        start_lane(c, part, l, &own[l], &scale[l], rate[l]);
-    }
-    for (int l = lanes; l < JET_LANES; l++) {
-        v[l] = v[0];
-        scale[l] = scale[0];
-        memcpy(rate[l], rate[0], sizeof rate[0]);
-    }
-#define SCALE(l)    scale[l]
-#define REGISTER(l) v[l]->reg[i + 2]
-#define RATE(l)     rate[l][i]
-    w->log_scale = JET_EACH(SCALE);
-    start_entries(c, &p->part[part]);
-    for (int i = part ? p->t.rate_steps : 0;
-         i < (part ? p->t.steps : p->t.rate_steps); i++)
-        if (used ? used[i] : !p->t.step[i].idle) {
-            c->reg[i + 2] = JET_EACH(REGISTER);
-            keep_pairs(c, v, p->kept[i], p->kept[i + 1]);
-        }
-    for (int i = 0; i < (part ? 1 : 2); i++) {
-        const int r = part ? part + 1 : i;
-        keep_pairs(c, v, p->rate_kept[r], p->rate_kept[r] + TAPE_KEPT);
-        c->reg[p->result[r]] = JET_EACH(RATE);
-    }
-#undef SCALE
-#undef REGISTER
-#undef RATE
-}
-
 /* ---- the contract -------------------------------------------------------- */
 
 static void jet(const void *const ctx[], struct jet_work *w, size_t k,
@@ -447,7 +366,11 @@ void tape_jet_rate(const void *ctx, size_t which, struct jet_work *w, size_t k,
 #else
 
 const struct planar_many TAPE_MANY = {
-    .width = JET_WIDTH, .alike = tape_alike, .jet = jet, .rate_jet = jet_rate
+    .width = JET_WIDTH,
+    .alike = tape_alike,
+    .jet = jet,
+    .rate_jet = jet_rate,
+    .look = TAPE_LOOK,
 };
 
 #endif

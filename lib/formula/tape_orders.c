@@ -360,19 +360,55 @@ bool tape_jet_slots(struct tape_plane *p)
            p->constants + 2 * p->ops <= ALL;
 }
 
+/* ---- alike --------------------------------------------------------------- */
+
+static bool forms_alike(const struct real_tape_form *u,
+                        const struct real_tape_form *w)
+{
+    return u->first == w->first && u->terms == w->terms;
+}
+
+static bool steps_alike(const struct real_tape *t, const struct real_tape *u)
+{
+    bool alike = t->steps == u->steps && t->rate_steps == u->rate_steps &&
+                 t->terms == u->terms;
+
+    for (int i = 0; i < t->steps && alike; i++) {
+        const struct real_tape_entry *n = &t->step[i], *m = &u->step[i];
+        alike = n->kind == m->kind && n->a == m->a && n->b == m->b &&
+                n->joined == m->joined && n->idle == m->idle &&
+                forms_alike(&n->form, &m->form);
+    }
+    for (int i = 0; i < t->terms && alike; i++)
+        alike = t->term[i].reg == u->term[i].reg;
+    return alike;
+}
+
+static bool rates_alike(const struct real_tape *t, const struct real_tape *u)
+{
+    bool alike = t->rates == u->rates;
+
+    for (int i = 0; i < t->rates && alike; i++) {
+        const struct real_tape_rate *r = &t->rate[i], *q = &u->rate[i];
+        alike = r->sinh == q->sinh && r->scaled == q->scaled &&
+                r->grows == q->grows && forms_alike(&r->mantissa, &q->mantissa);
+        for (int k = 0; k < TAPE_EXPONENTS && alike; k++)
+            alike = forms_alike(&r->exponent[k], &q->exponent[k]);
+    }
+    return alike && memcmp(t->used, u->used, sizeof t->used) == 0;
+}
+
 bool tape_alike(const void *ctx, const void *other)
 {
     const struct tape_plane *p = ctx, *q = other;
-    const int rates = p->t.rates, steps = p->t.steps;
     bool alike =
+        steps_alike(&p->t, &q->t) && rates_alike(&p->t, &q->t) &&
         p->ops == q->ops && p->constants == q->constants &&
-        steps == q->t.steps && rates == q->t.rates &&
-        p->t.rate_steps == q->t.rate_steps &&
-        memcmp(p->kept, q->kept, (size_t) steps * sizeof *p->kept) == 0;
+        memcmp(p->kept, q->kept, (size_t) p->t.steps * sizeof *p->kept) == 0;
 
-    for (int i = 0; i < rates && alike; i++)
+    for (int i = 0; i < p->t.rates && alike; i++)
         alike = p->result[i] == q->result[i];
-    for (int i = 0; i < rates - 1 && alike; i++)
+    for (int i = 0; i < p->t.rates - 1 && alike; i++)
         alike = p->part[i].width == q->part[i].width &&
                 p->part[i].op == q->part[i].op &&
                 p->part[i].alone == q->part[i].alone;

@@ -136,5 +136,11 @@ bool tape_alike(const void *ctx, const void *other);
 /* tape_jet and tape_jet_rate of JET_MANY planes, for processors of a level. */
 extern const struct planar_many tape_many_4, tape_many_8;
 
+/* look of theirs. */
+void tape_look_4(const void *const ctx[], size_t n, const struct vec2 z[],
+                 int which, bool slopes, struct planar_look out[]);
+void tape_look_8(const void *const ctx[], size_t n, const struct vec2 z[],
+                 int which, bool slopes, struct planar_look out[]);
+
 /* Hands out places; false where they are too many. */
 MUST_CHECK bool tape_jet_slots(struct tape_plane *t);

@@ -1,0 +1,162 @@
+/* Points of planes side by side have the bits that each has alone: of all laws,
+ * near the anchor and far from it, at every width of registers. */
+#include "many.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "block.h"
+#include "graph.h"
+#include "laws.h"
+#include "tape_plane.h"
+
+enum { ORDER = 12, WIDTHS = 2 };
+
+static struct block block[JET_MANY];
+static struct planar plane[JET_MANY];
+static struct vec2 z[JET_MANY];
+
+static const struct planar_many *const many[WIDTHS] = {
+#ifdef HAVE_WIDE_LANES
+    &tape_many_4, &tape_many_8
+#endif
+};
+
+static bool is_there(const struct planar_many *m)
+{
+    return m && m->width <= jet_width();
+}
+
+/* Laws i whose materials differ a little, and places up to `far` away; false:
+ * there is no such law. */
+static bool make(size_t i, double far, uint64_t *rng)
+{
+    const struct law law = laws_at(i);
+    const struct material m = laws_material(rng);
+    struct fault why;
+
+    if (law_check(&law, &m, &why) != STATUS_OK)
+        return false;
+    for (size_t l = 0; l < JET_MANY; l++) {
+        struct material own = m;
+        own.a *= check_uniform(rng, 0.95, 1.05);
+        own.b *= check_uniform(rng, 0.95, 1.05);
+        block_init(&block[l], &law, &own, 0.34L);
+        block_anchor(&block[l],
+                     fminl((long double) check_uniform(rng, -3.0, 3.0),
+                           steady_x_max(&law) - 1.0L),
+                     false);
+        plane[l] = block_planar(&block[l]);
+        z[l] = (struct vec2){ check_uniform(rng, -far, far),
+                              check_uniform(rng, -far, far) };
+    }
+    return true;
+}
+
+static bool same(const void *a, const void *b, size_t size)
+{
+    return memcmp(a, b, size) == 0;
+}
+
+/* Seen together, or its own answer. */
+static void check_look(size_t l, int which, bool slopes,
+                       const struct planar_look *seen)
+{
+    struct planar_look own = { .rate = 0.0 };
+
+    if (slopes)
+        tape_jacobian(plane[l].ctx, z[l], &own.J);
+    else
+        tape_field(plane[l].ctx, z[l], &own.J.field);
+    if (which >= 0)
+        tape_rate(plane[l].ctx, (size_t) which, z[l], &own.rate,
+                  slopes ? &own.gradient : NULL);
+    const struct vec2 f = own.J.field.direction, g = seen->J.field.direction;
+    CHECK(same(&own.J.field, &seen->J.field, sizeof own.J.field) ||
+              (isnan(f.x) && isnan(g.x)) || (isnan(f.y) && isnan(g.y)),
+          "lane %zu at (%g, %g): field (%a, %a), not (%a, %a)", l, z[l].x,
+          z[l].y, g.x, g.y, f.x, f.y);
+    CHECK(!slopes || isnan(f.x + f.y) ||
+              same(&own.J.matrix, &seen->J.matrix, sizeof own.J.matrix),
+          "lane %zu at (%g, %g): another matrix", l, z[l].x, z[l].y);
+    CHECK(which < 0 || isnan(own.rate) ||
+              (same(&own.rate, &seen->rate, sizeof own.rate) &&
+               (!slopes ||
+                same(&own.gradient, &seen->gradient, sizeof own.gradient))),
+          "lane %zu at (%g, %g): rate %a, not %a", l, z[l].x, z[l].y,
+          seen->rate, own.rate);
+}
+
+static void looks_are_those_of_each_alone(void **state)
+{
+    static const double far[] = { 0.3, 8.0, 60.0, 600.0 };
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 40 * LAWS; i++) {
+        const struct planar *sys[JET_MANY];
+        struct planar_look seen[JET_MANY];
+        const int which = (int) (i / LAWS) % (BLOCK_OBSERVABLES + 1) - 1;
+        if (!make(i % LAWS, far[i / LAWS % 4], &rng))
+            continue;
+        for (int w = 0; w < WIDTHS && is_there(many[w]); w++) {
+            size_t n = 0;
+            for (; n < JET_MANY; n++) {
+                plane[n].many = many[w];
+                sys[n] = &plane[n];
+                if (!many_alike(&plane[0], &plane[n]))
+                    break;
+            }
+            many_at(sys, n, z, which, i / 7 % 2, seen);
+            for (size_t l = 0; l < n; l++)
+                check_look(l, which, i / 7 % 2, &seen[l]);
+        }
+    }
+}
+
+static void series_are_those_of_each_alone(void **state)
+{
+    static const double far[] = { 0.3, 8.0, 60.0 };
+    const struct carry carry = { { BLOCK_EXCESS, BLOCK_WORK }, 2 };
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 9 * LAWS; i++) {
+        static struct graph_series own, u[JET_MANY];
+        const struct planar *sys[JET_MANY];
+        struct graph_series *out[JET_MANY];
+        struct graph_start start[JET_MANY];
+        if (!make(i % LAWS, far[i / LAWS % 3], &rng))
+            continue;
+        for (int w = 0; w < WIDTHS && is_there(many[w]); w++) {
+            size_t n = 0;
+            for (; n < JET_MANY; n++) {
+                plane[n].many = many[w];
+                sys[n] = &plane[n];
+                out[n] = &u[n];
+                start[n] = (struct graph_start){ z[n], (int) n % 2, 1.0 };
+                if (!many_alike(&plane[0], &plane[n]))
+                    break;
+            }
+            const size_t done = graph_expand(sys, &carry, ORDER, n, start, out);
+            for (size_t l = 0; l < done; l++) {
+                out[0] = &own;
+                (void) graph_expand(&sys[l], &carry, ORDER, 1, &start[l], out);
+                CHECK(isnan(own.at[0][ORDER] + own.at[1][ORDER]) ||
+                          same(own.at, u[l].at, sizeof own.at),
+                      "law %zu, lane %zu at (%g, %g): another series", i % LAWS,
+                      l, z[l].x, z[l].y);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(looks_are_those_of_each_alone),
+        cmocka_unit_test(series_are_those_of_each_alone),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
