@@ -233,9 +233,14 @@ static struct gap gap_at(const struct comparison *q, size_t piece, double theta)
                          own + across * (is_log ? 1.0 : sum / psi) };
 }
 
-/* Where the gap first reaches `level`, outward from the saddle; whether it
- * does before the curve ends, which *at is then. */
-static bool reaches(const struct comparison *q, double level, struct gap *at)
+static bool is_below(struct gap g, double times)
+{
+    return g.size + times * g.share < TOL_LITTLE;
+}
+
+/* Where the gap, with `times` its share, first reaches TOL_LITTLE, outward from
+ * the saddle; whether it does before the curve ends, which *at is then. */
+static bool reaches(const struct comparison *q, double times, struct gap *at)
 {
     enum { PER_PIECE = 16, HALVINGS = DBL_MANT_DIG };
     double lo = 0.0;
@@ -244,13 +249,13 @@ static bool reaches(const struct comparison *q, double level, struct gap *at)
         for (int k = 1; k <= PER_PIECE; k++) {
             double hi = (double) k / PER_PIECE;
             *at = gap_at(q, i, hi);
-            if (at->size < level) {
+            if (is_below(*at, times)) {
                 lo = hi;
                 continue;
             }
             for (int n = 0; n < HALVINGS; n++) {
                 const double middle = 0.5 * (lo + hi);
-                *(gap_at(q, i, middle).size < level ? &lo : &hi) = middle;
+                *(is_below(gap_at(q, i, middle), times) ? &lo : &hi) = middle;
             }
             *at = gap_at(q, i, hi);
             return true;
@@ -258,17 +263,25 @@ static bool reaches(const struct comparison *q, double level, struct gap *at)
     return false;
 }
 
-/* Where the gap is TOL_LITTLE: between where it is that less and more its share
- * that may be the curve's error. */
-static struct quantity leaves(const struct comparison *q)
+/* Where the true gap first reaches TOL_LITTLE: |gap - size| <= share, so not
+ * before size + share does and not after size - share does; and where psi has
+ * no limit, at `end`, the sum has one, so before that. */
+static struct quantity leaves(const struct comparison *q,
+                              const struct quantity *end)
 {
-    const double level = TOL_LITTLE;
     struct gap at, early, late;
+    const bool may = reaches(q, 1.0, &early);
 
-    if (!reaches(q, level, &at))
+    if (!may && !quantity_exists(end))
         return quantity_none("order 14 agrees with the curve to its end");
-    reaches(q, level - at.share, &early);
-    reaches(q, level + at.share, &late);
+    if (!reaches(q, -1.0, &late)) {
+        if (!quantity_exists(end))
+            return quantity_none("whether order 14 leaves the curve is not "
+                                 "told at this accuracy");
+        late.v = end->value + copysign(end->error, end->value - early.v);
+    }
+    if (!reaches(q, 0.0, &at))
+        at = late;
     return quantity_of(at.v, fmax(fabs(early.v - at.v), fabs(late.v - at.v)) +
                                  TOL_ROUNDINGS * DBL_EPSILON * at.v);
 }
@@ -322,10 +335,11 @@ enum status taylor_series_find(const struct study *s, struct taylor_series *out)
                                               : (double) INFINITY);
     t.radius.value *= v_sp;
     t.radius.error *= v_sp;
-    t.agrees_from =
-        leaves(&(struct comparison){ s, &t, &s->stable[SIDE_LOWER].curve });
+    t.agrees_from = leaves(
+        &(struct comparison){ s, &t, &s->stable[SIDE_LOWER].curve }, v_minus);
     t.agrees_to =
-        leaves(&(struct comparison){ s, &t, &s->stable[SIDE_UPPER].curve });
+        leaves(&(struct comparison){ s, &t, &s->stable[SIDE_UPPER].curve },
+               &s->slider.critical.v_plus);
     *out = t;
     return STATUS_OK;
 }
