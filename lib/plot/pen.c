@@ -1,6 +1,8 @@
 #include "pen.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "contour.h"
 #include "label.h"
@@ -301,25 +303,40 @@ size_t pen_cells(size_t cells)
     return cells * pen_copies(cells);
 }
 
-static void draw_raster(struct pen *pen, const struct figure_raster *r)
+/* A cell of an image, `copies` times; returns where it ends. */
+static char *put_cell(char *at, double v, size_t copies)
 {
-    const size_t nx = pen_cells(r->nx), ny = pen_cells(r->ny);
+    const char *const form = isfinite(v) ? "%.5g " : "NaN ";
+    const size_t size = (size_t) sprintf(at, form, v);
+
+    for (size_t k = 1; k < copies; k++)
+        memcpy(at + k * size, at, size);
+    return at + copies * size;
+}
+
+/* A row of cells, of 13 letters at most, is written out once, and copied. */
+static enum status draw_raster(struct pen *pen, const struct figure_raster *r)
+{
+    const bool is_log = r->shade_count == 0 && r->scale.is_log;
+    char *row = malloc(pen_cells(r->nx) * 13 + 1);
+
+    if (row == NULL)
+        return STATUS_NO_MEMORY;
     block_begin(pen, "raster", r->scale.label);
     fprintf(pen->script, "matrix axes x2y2 with image");
-    for (size_t j = 0; j < ny; j++) {
-        const double *row = r->value + j / pen_copies(r->ny) * r->nx;
-        for (size_t i = 0; i < nx; i++) {
-            const double cell = row[i / pen_copies(r->nx)];
-            const double v =
-                r->shade_count == 0 && r->scale.is_log ? log10(cell) : cell;
-            if (isfinite(v))
-                fprintf(pen->data, "%.5g ", v);
-            else
-                fprintf(pen->data, "NaN ");
-        }
-        fputc('\n', pen->data);
+    for (size_t j = 0; j < r->ny; j++) {
+        const double *cell = r->value + j * r->nx;
+        char *at = row;
+        for (size_t i = 0; i < r->nx; i++)
+            at = put_cell(at, is_log ? log10(cell[i]) : cell[i],
+                          pen_copies(r->nx));
+        *at++ = '\n';
+        for (size_t k = 0; k < pen_copies(r->ny); k++)
+            fwrite(row, 1, (size_t) (at - row), pen->data);
     }
     block_end(pen);
+    free(row);
+    return STATUS_OK;
 }
 
 /* ---- contours of a map --------------------------------------------------- */
@@ -476,7 +493,7 @@ enum status pen_draw(struct pen *pen, const struct figure *f)
 {
     fprintf(pen->script, "unset key\nplot NaN notitle");
     pen->cased = f->raster && f->raster->shade_count == 0;
-    if (f->raster)
-        draw_raster(pen, f->raster);
-    return draw_layers(pen, f);
+    const enum status status =
+        f->raster ? draw_raster(pen, f->raster) : STATUS_OK;
+    return status ? status : draw_layers(pen, f);
 }
