@@ -126,8 +126,8 @@ static bool bound_rate(const struct cell *c, double radius, struct tube *t)
 static bool run_tube(const struct cell *c, struct proof_cell *out,
                      double *aside)
 {
-    const struct interval length = interval_less(
-        c->to < c->last.hi ? point(c->to) : c->last, point(c->from));
+    const struct interval ends = { fminl(c->to, c->last.lo), c->to };
+    const struct interval length = interval_less(ends, point(c->from));
     struct tube t;
 
     if (!(length.lo >= 0) || !bound_rate(c, out->radius, &t))

@@ -185,15 +185,18 @@ static bool cone_of(struct interval_tape *t, const struct proof_piece *piece,
     return interval_is_finite(out->excess);
 }
 
-/* From near that part of the piece down, as long as that narrows the cone: what
- * is left then is rounding. */
+/* If the piece begins at the saddle: from near that part of it down, as long as
+ * that narrows the cone: what is left then is rounding. */
 bool proof_cone(struct interval_tape *t, const struct proof_piece *piece,
                 double most, struct proof_cone *out, struct proof_front *front)
 {
+    const bool begins = interval_is_zero(point(piece->start)) &&
+                        interval_is_zero(point(piece->coef[0]));
     double reach = PROOF_CONE_SHRINK * most;
     bool found = false;
 
-    for (int i = 0; i < PROOF_CONE_TRIES; i++, reach *= PROOF_CONE_SHRINK) {
+    for (int i = 0; i < PROOF_CONE_TRIES && begins;
+         i++, reach *= PROOF_CONE_SHRINK) {
         struct proof_cone cone;
         struct proof_front f = { 0 };
         if (!cone_of(t, piece, reach, &cone, &f))

@@ -68,6 +68,27 @@ static void a_cone_holds_the_branch_and_its_integral(void **state)
           t.nearest);
 }
 
+static void a_piece_that_begins_beside_the_saddle_has_none(void **state)
+{
+    static struct interval_graph g;
+    static struct interval_tape tape;
+    struct made f = { .cone = true, .E = { 1 }, .L = { -1 }, .obs = { 1 } };
+    struct proof_cone cone;
+    struct proof_front front;
+
+    (void) state;
+    f.piece = (struct proof_piece){ .step = 1, .degree = 2, .coef = { 0, 1 } };
+    tape_of(&f, &g, &tape);
+    for (int i = 0; i < 3; i++) {
+        struct proof_piece p = f.piece;
+        p.start = i == 1 ? 1e-6 : 0;
+        p.coef[0] = i == 2 ? 1e-6 : 0;
+        assert_int_equal(proof_cone(&tape, &p, 1, &cone, &front), i == 0);
+    }
+    interval_tape_free(&tape);
+    interval_graph_free(&g);
+}
+
 /* ---- saddles ------------------------------------------------------------- */
 
 /* x' = a x + b y, y' = c x + d y */
@@ -113,6 +134,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cone_holds_the_branch_and_its_integral),
+        cmocka_unit_test(a_piece_that_begins_beside_the_saddle_has_none),
         cmocka_unit_test(a_saddle_is_told_by_its_eigenvalues),
     };
 
