@@ -70,7 +70,7 @@ static struct graph_miss smooth_missing(const double u[], size_t order,
                                         double s, const struct graph_rate *rate,
                                         double ratio, double last)
 {
-    const double off = rate->value - jet_slope_at(order, u, s), h = fabs(s);
+    const double off = rate->value - rate->found, h = fabs(s);
     const double turn = rate->change - jet_bend_at(order, u, s);
     const double part = (double) (order + 1) - rate->growth;
     const double both = part + (double) (order + 1), square = part * (part + 1);
@@ -89,7 +89,7 @@ static struct graph_miss smooth_missing(const double u[], size_t order,
 struct graph_miss graph_missing(const double u[], size_t order, double s,
                                 const struct graph_rate *rate, bool smooth)
 {
-    const double off = rate->value - jet_slope_at(order, u, s), h = fabs(s);
+    const double off = rate->value - rate->found, h = fabs(s);
     const double rounding = TOL_ROUNDED * (fabs(u[1]) + fabs(rate->value));
     const double terms = (double) (order + 1), part = terms - rate->growth;
     const double last = two_terms(u, order, h), next = fabs(off) * h / terms;

@@ -32,10 +32,11 @@ size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
 double graph_reach(const double u[], size_t order, double scale, double tol);
 
 /* What the first and second derivatives by s should be at the end of a step
- * along u, what these are off by, how the rate grows with the unknown itself,
- * times s, and by how much that changes over the step. */
+ * along u, what these are off by, the first as it is found there, how the rate
+ * grows with the unknown itself, times s, and by how much that changes over the
+ * step. */
 struct graph_rate {
-    double value, noise;
+    double value, noise, found;
     double change, change_noise;
     double growth, bend;
 };

@@ -139,12 +139,12 @@ static double slope_allowed(const struct grower *g)
     return TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
 }
 
-/* The series' slope at s against the field's there; *off: their difference. */
-static bool slope_holds(const struct grower *g, double s, double field,
+/* The series' slope by s at a point against the field's there; *off: their
+ * difference. */
+static bool slope_holds(const struct grower *g, double by_s, double field,
                         double *off)
 {
-    const double slope =
-        jet_slope_at(g->order, g->u.at[1 - g->ind], s) / g->unit;
+    const double slope = by_s / g->unit;
     const double rounding = TOL_ROUNDED * (fabs(slope) + fabs(g->u.slope));
 
     *off = fabs(slope - field);
@@ -162,16 +162,22 @@ static bool is_doubtful(const struct grower *g, double field)
            g->unit * g->h > TOL_STEP_LEAP * g->last;
 }
 
-/* The field at the end of a step. */
-static void look_at_end(struct grower *g)
+/* The series' slope by s. */
+static double slope_by_s(const struct grower *g, double s)
 {
-    const struct vec2 end = step_end(g, g->toward * g->h);
-
-    g->sys->jacobian(g->sys->ctx, end, &g->end.J);
-    g->rated = false;
+    return jet_slope_at(g->order, g->u.at[1 - g->ind], s);
 }
 
-/* At the end of the step, of the first of n; of how many. */
+/* Where the step ends. */
+static void go_to_end(struct grower *g)
+{
+    const double s = g->toward * g->h;
+
+    g->at_end = step_end(g, s);
+    g->slope = slope_by_s(g, s);
+}
+
+/* The ends of the first steps of n; of how many. */
 static size_t look_at_ends(struct grower *const g[], size_t n)
 {
     const int which = many_carried(&g[0]->o->carry);
@@ -181,8 +187,9 @@ static size_t look_at_ends(struct grower *const g[], size_t n)
     size_t count = 0;
 
     for (; count < n && is_alike(g[0], g[count]); count++) {
+        go_to_end(g[count]);
         sys[count] = g[count]->sys;
-        z[count] = step_end(g[count], g[count]->toward * g[count]->h);
+        z[count] = g[count]->at_end;
     }
     many_at(sys, count, z, which, true, end);
     for (size_t i = 0; i < count; i++) {
@@ -202,13 +209,13 @@ static bool step_holds(struct grower *g)
     const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
     double off;
 
-    bool holds = slope_holds(g, s, field, &off);
+    bool holds = slope_holds(g, g->slope, field, &off);
     const double at_end = off;
     g->kink = 0.0;
     for (int i = 0; i < 3 && holds && is_doubtful(g, field); i++) {
         const struct vec2 z = step_end(g, part[i] * s);
-        holds =
-            slope_holds(g, part[i] * s, local_slope(g->sys, g->ind, z), &off);
+        holds = slope_holds(g, slope_by_s(g, part[i] * s),
+                            local_slope(g->sys, g->ind, z), &off);
         if (off > TOL_CLEARLY * at_end)
             g->kink = fmax(g->kink, off);
     }
@@ -267,7 +274,7 @@ static void move(struct grower *g)
 {
     const double s = g->toward * g->h;
 
-    g->z = step_end(g, s);
+    g->z = g->at_end;
     for (size_t i = 0; i < g->o->carry.count; i++)
         g->total[i] += jet_at(g->order, g->u.integral[i], s);
 }
@@ -313,9 +320,9 @@ static enum status step(struct grower *g)
             g->done = g->o->follower != NULL;
             return g->done ? STATUS_OK : STATUS_NO_CONVERGENCE;
         }
-        look_at_end(g);
+        (void) look_at_ends(&g, 1);
     }
-    grow_error_step(g, step_end(g, g->toward * g->h));
+    grow_error_step(g);
     const enum status s = store_step(g);
     if (s != STATUS_OK)
         return s;
@@ -335,8 +342,6 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
                              .carry = g->o->carry,
                              .curve = CURVE_EMPTY(2 + g->o->carry.count),
                              .end = BRANCH_STEPS };
-    const double s = side * u->radius;
-
     g->piece = (struct branch_miss){ .grown = 1.0 };
     g->u = (struct graph_series){ .at = { [0] = { 0.0 } } };
     g->u.at[u->ind][1] = u->unit;
@@ -350,9 +355,9 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
     g->unit = u->unit;
     g->h = u->radius;
     g->order = u->order;
-    look_at_end(g);
+    (void) look_at_ends(&g, 1);
     g->out = (struct outward){ 0 };
-    grow_error_step(g, step_end(g, s));
+    grow_error_step(g);
     const enum status status = store_step(g);
     if (status != STATUS_OK)
         return status;

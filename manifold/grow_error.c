@@ -222,10 +222,11 @@ static struct graph_miss own_dep(struct grower *g, const struct noise *noise,
 {
     const double s = g->toward * g->h, per_s = s * g->unit;
     const double *dep = g->u.at[1 - g->ind];
-    const double slope = jet_slope_at(g->order, dep, s) / g->unit;
-    struct graph_rate rate = rate_of(g, g->out.slope, g->out.slope_i,
-                                     g->out.slope_d, slope, noise->rate);
+    struct graph_rate rate =
+        rate_of(g, g->out.slope, g->out.slope_i, g->out.slope_d,
+                g->slope / g->unit, noise->rate);
 
+    rate.found = g->slope;
     rate.noise = g->unit * noise->slope;
     rate.growth = per_s * g->out.slope_d;
     rate.bend = fabs(per_s * before->slope_d - rate.growth) + fabs(rate.growth);
@@ -280,6 +281,7 @@ static void add_integral(struct grower *g, size_t i, const struct noise *noise,
     const double rounded = noise->rate * fabs(jet_at(g->order, u, s)) +
                            0.5 * DBL_EPSILON * fabs(g->total[i]);
 
+    rate.found = jet_slope_at(g->order, u, s);
     rate.change_noise +=
         fabs(g->unit / s * (by_dep - before->swift_d[i]) * dep_off);
     struct graph_miss own =
@@ -291,16 +293,16 @@ static void add_integral(struct grower *g, size_t i, const struct noise *noise,
     g->piece.total_bar[i] += own.bar;
 }
 
-void grow_error_step(struct grower *g, struct vec2 end)
+void grow_error_step(struct grower *g)
 {
     const double way = g->h * g->unit;
     const struct outward before = g->out;
     const double entering = grow_error_bound(&g->miss);
     const double *dep = g->u.at[1 - g->ind];
 
-    grow_error_look(g, end);
+    grow_error_look(g, g->at_end);
     carry_over(g, &before);
-    const struct noise noise = noise_at(g, end);
+    const struct noise noise = noise_at(g, g->at_end);
     const struct graph_miss own = own_dep(g, &noise, &before);
     const double place = fabs(dep[0]) + fabs(g->out.slope * g->u.at[g->ind][0]);
     add(&g->miss, own, noise.slope * way + 0.5 * DBL_EPSILON * place);

@@ -19,6 +19,6 @@ void grow_error_turn(struct grower *g, double slope);
  * drift[i] times as much to integral i's. */
 void grow_error_tail(struct grower *g, double grown, const double drift[]);
 
-/* The step to `end`, where the field is g->end: its own errors, and what
+/* The step to g->at_end, where the field is g->end: its own errors, and what
  * becomes of those before it. */
-void grow_error_step(struct grower *g, struct vec2 end);
+void grow_error_step(struct grower *g);

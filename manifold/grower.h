@@ -43,6 +43,8 @@ struct grower {
     double kink; /* slope that its series misses on the way */
     struct planar_look end; /* at the end of the last step */
     bool rated;             /* with the rate of what is carried alone */
+    struct vec2 at_end;     /* where that is, and what slope its series has */
+    double slope;           /* there, per s */
     bool edge;              /* the step ends on that of the domain */
     int kin;                /* the first of all whose plane is alike */
     struct outward out;     /* and what travels there */
