@@ -13,18 +13,20 @@ const char *const equilibrium_type_names[] = { "saddle",      "stable_node",
 
 /* Next to a fold the balance all but vanishes at one end of the bracket, where
  * secants crawl: newton.h bisects in time. */
-static long double root_of(const struct planar_steady *s, const void *ctx,
-                           long double lo, long double hi)
+void equilibrium_close(const struct planar_steady *s, const void *ctx,
+                       struct steady_root *root)
 {
-    struct newton_root_long root = { .x = lo };
-    const enum status status =
-        newton_find_long(s->balance, ctx, lo, hi, 0, &root);
+    struct newton_root_long found;
 
-    return status == STATUS_OK ? root.x : lo;
+    if (root->hi > root->x &&
+        newton_find_long(s->balance, ctx, root->x, root->hi, 0, &found) ==
+            STATUS_OK)
+        root->x = found.x;
+    root->hi = root->x;
 }
 
-size_t equilibrium_find(const struct planar_steady *s, const void *ctx,
-                        struct steady_root root[EQUILIBRIA_MAX])
+size_t equilibrium_bracket(const struct planar_steady *s, const void *ctx,
+                           struct steady_root root[EQUILIBRIA_MAX])
 {
     long double lo = s->lo, at_lo = s->balance(ctx, lo);
     size_t n = 0;
@@ -36,13 +38,22 @@ size_t equilibrium_find(const struct planar_steady *s, const void *ctx,
         const long double hi = last ? s->hi : s->turning[i];
         const long double at_hi = s->balance(ctx, hi);
         if (at_hi == 0 && !last)
-            root[n++] = (struct steady_root){ hi, true, false };
+            root[n++] = (struct steady_root){ hi, true, false, hi };
         else if (at_lo != 0 && (at_lo < 0) != (at_hi < 0))
-            root[n++] = (struct steady_root){ root_of(s, ctx, lo, hi), false,
-                                              at_lo < 0 };
+            root[n++] = (struct steady_root){ lo, false, at_lo < 0, hi };
         lo = hi;
         at_lo = at_hi;
     }
+    return n;
+}
+
+size_t equilibrium_find(const struct planar_steady *s, const void *ctx,
+                        struct steady_root root[EQUILIBRIA_MAX])
+{
+    const size_t n = equilibrium_bracket(s, ctx, root);
+
+    for (size_t i = 0; i < n; i++)
+        equilibrium_close(s, ctx, &root[i]);
     return n;
 }
 

@@ -29,8 +29,9 @@ struct equilibrium {
 /* A zero of the balance along the steady curve. */
 struct steady_root {
     long double x;
-    bool fold;  /* a turning point that just touches zero */
-    bool rises; /* the balance, as it does at a saddle */
+    bool fold;      /* a turning point that just touches zero */
+    bool rises;     /* the balance, as it does at a saddle */
+    long double hi; /* it is in [x, hi], if that is more than x: not closed */
 };
 
 /* Every zero of the curve's balance in [lo, hi], ascending: one in each
@@ -38,6 +39,12 @@ struct steady_root {
  * ctx is the balance's.  Returns their number, at most EQUILIBRIA_MAX. */
 size_t equilibrium_find(const struct planar_steady *s, const void *ctx,
                         struct steady_root root[EQUILIBRIA_MAX]);
+
+/* The same in two steps: where they are, and each of them. */
+size_t equilibrium_bracket(const struct planar_steady *s, const void *ctx,
+                           struct steady_root root[EQUILIBRIA_MAX]);
+void equilibrium_close(const struct planar_steady *s, const void *ctx,
+                       struct steady_root *root);
 
 /* Linear type of the equilibrium at sys->origin.  `fold`: one eigenvalue is
  * known to be zero.  Where one has left the doubles, sys->steady, if there is

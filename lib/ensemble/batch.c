@@ -244,10 +244,15 @@ static enum status begin(struct batch *b, const char *const key[], size_t keys,
         status = check_slope(b, why);
     if (status == STATUS_OK)
         status = take_numbers(b, name, names, why);
-    for (size_t i = 0; i < b->numbers; i++)
+    bool saddle = true; /* columns of steady states are those of nodes, too */
+    for (size_t i = 0; i < b->numbers; i++) {
         if (b->column[i] == NULL)
             b->stages |= stage_of(&b->number[i]);
+        saddle = saddle && b->number[i].of->shape == RESULT_SCALARS;
+    }
     b->stages = plan_close(b->stages | 1u << STAGE_STEADY);
+    if (saddle && (b->stages & ~PLAN_OF_SADDLE) == 0)
+        b->stages |= PLAN_SADDLE;
     if (b->points && b->scene->system == NULL)
         b->points->scene.products |= plan_products(b->stages);
     return status;
@@ -270,6 +275,7 @@ void batch_push(struct batch *b, const struct scene_push push[], size_t pushes)
 {
     b->push = push;
     b->pushes = pushes;
+    b->stages &= pushes > 0 ? ~PLAN_SADDLE : ~0u; /* they come to nodes */
 }
 
 void batch_free(struct batch *b)

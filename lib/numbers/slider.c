@@ -24,34 +24,87 @@ static size_t home_among(const struct equilibrium e[], size_t n)
     return 0;
 }
 
-void slider_init(struct slider *s, const struct law *law,
-                 const struct material *m, long double tan_alpha)
+/* Where one saddle has all others as nodes beside it. */
+static bool has_one_saddle(const struct steady_root root[], size_t n)
+{
+    size_t saddles = 0;
+
+    for (size_t i = 0; i < n; i++)
+        saddles += root[i].fold ? 2 : root[i].rises;
+    return saddles == 1;
+}
+
+/* Looks at those that rise or do not; returns the last. */
+static size_t look_at(struct slider *s, struct steady_root root[], size_t n,
+                      bool rises, struct equilibrium e[])
+{
+    size_t at = n;
+
+    for (size_t i = n; i-- > 0;)
+        if (root[i].rises == rises) {
+            equilibrium_close(&s->block.steady, &s->block, &root[i]);
+            const struct planar system = anchor_at(s, root[i].x, true);
+            equilibrium_at(&system, root[i].fold, &e[i]);
+            s->steady[i] = numbers_steady(&s->block, &e[i]);
+            at = i;
+        }
+    return at;
+}
+
+/* A saddle comes last. */
+static void place(struct slider *s, struct steady_root root[], size_t n,
+                  struct equilibrium e[])
+{
+    const size_t node = look_at(s, root, n, false, e);
+    const size_t saddle = look_at(s, root, n, true, e);
+    const size_t last = saddle < n ? saddle : node;
+
+    if (n == 0)
+        (void) anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
+    else if (home_among(e, n) != last)
+        (void) anchor_at(s, root[home_among(e, n)].x, true);
+}
+
+/* The saddle alone, if it is one. */
+static bool place_saddle(struct slider *s, struct steady_root root[], size_t n,
+                         struct equilibrium e[])
+{
+    if (!has_one_saddle(root, n))
+        return false;
+    for (size_t i = 0; i < n; i++)
+        e[i] = (struct equilibrium){ .type = EQUILIBRIUM_STABLE_NODE };
+    return e[look_at(s, root, n, true, e)].type == EQUILIBRIUM_SADDLE;
+}
+
+static void init(struct slider *s, bool nodes)
 {
     struct steady_root root[EQUILIBRIA_MAX];
     struct equilibrium e[EQUILIBRIA_MAX];
-    struct planar system;
+    const size_t n = equilibrium_bracket(&s->block.steady, &s->block, root);
 
-    block_init(&s->block, law, m, tan_alpha);
-    const size_t n = equilibrium_find(&s->block.steady, &s->block, root);
-    size_t at = n;
-    for (int rises = 0; rises < 2; rises++) /* a saddle comes last */
-        for (size_t i = n; i-- > 0;)
-            if (root[i].rises == rises) {
-                system = anchor_at(s, root[i].x, true);
-                equilibrium_at(&system, root[i].fold, &e[i]);
-                s->steady[i] = numbers_steady(&s->block, &e[i]);
-                at = i;
-            }
-    if (n == 0)
-        system = anchor_at(s, fminl(0.0L, s->block.steady.hi - 1.0L), false);
-    else if (home_among(e, n) != at)
-        system = anchor_at(s, root[home_among(e, n)].x, true);
+    if (nodes || !place_saddle(s, root, n, e))
+        place(s, root, n, e);
+    const struct planar system = block_planar(&s->block);
     const struct vec2 off = place_bars(&s->block);
     s->place = n > 0 ? off.x + off.y : 0.0;
     s->plane = phase_plane_of(&system, e, n);
     block_ask(&s->block);
     const char *none = slider_no_manifolds(s);
     s->critical = numbers_none(none ? none : "nobody asked");
+}
+
+void slider_init(struct slider *s, const struct law *law,
+                 const struct material *m, long double tan_alpha)
+{
+    block_init(&s->block, law, m, tan_alpha);
+    init(s, true);
+}
+
+void slider_init_saddle(struct slider *s, const struct law *law,
+                        const struct material *m, long double tan_alpha)
+{
+    block_init(&s->block, law, m, tan_alpha);
+    init(s, false);
 }
 
 bool slider_has_manifolds(const struct slider *s)

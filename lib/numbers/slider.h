@@ -25,6 +25,11 @@ struct slider {
 void slider_init(struct slider *s, const struct law *law,
                  const struct material *m, long double tan_alpha);
 
+/* The same for who asks for the saddle alone: where there is one, nodes are
+ * counted, but what is said of them is nothing. */
+void slider_init_saddle(struct slider *s, const struct law *law,
+                        const struct material *m, long double tan_alpha);
+
 /* The index of the saddle, of which friction has at most one; -1: none. */
 static inline int slider_saddle(const struct slider *s)
 {

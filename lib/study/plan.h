@@ -33,6 +33,15 @@ enum stage {
     STAGES
 };
 
+/* Beside bits of stages: of several steady states nobody asks for others than
+ * the saddle. */
+#define PLAN_SADDLE (1u << STAGES)
+
+/* Stages that read no other one. */
+#define PLAN_OF_SADDLE                                                         \
+    (1u << STAGE_STEADY | 1u << STAGE_FOLDS | 1u << STAGE_STABLE |             \
+     1u << STAGE_CRITICAL | 1u << STAGE_KNEES)
+
 /* What a stage is to its users and to the other stages. */
 struct stage_info {
     const char *name;

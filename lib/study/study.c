@@ -24,7 +24,8 @@ static enum status run_steady(struct study *s, const struct monitor *monitor,
     const struct scene *c = s->scene;
 
     (void) monitor, (void) why;
-    slider_init(&s->slider, &c->law, &c->material, c->tan_alpha);
+    (s->saddle_alone ? slider_init_saddle : slider_init)(
+        &s->slider, &c->law, &c->material, c->tan_alpha);
     const int saddle = slider_saddle(&s->slider);
     s->saddle_numbers = saddle >= 0 ? numbers_saddle(&s->slider.steady[saddle])
                                     : numbers_no_saddle();
@@ -343,7 +344,9 @@ static void begin(struct study_job *job, unsigned stages)
     const struct scene *scene = job->scene;
 
     job->why.text[0] = '\0';
-    *job->study = (struct study){ .scene = scene, .stages = stages };
+    *job->study = (struct study){ .scene = scene,
+                                  .stages = stages & ~PLAN_SADDLE,
+                                  .saddle_alone = stages & PLAN_SADDLE };
     job->status = scene_slope_demand(scene, scene->products, &job->why);
     if (!plan_has(stages, STAGE_STEADY)) /* which begins with that */
         block_init(&job->study->slider.block, &scene->law, &scene->material,

@@ -44,6 +44,7 @@ struct stage_cost {
 struct study {
     const struct scene *scene; /* borrowed */
     unsigned stages;           /* bits of enum stage */
+    bool saddle_alone;         /* PLAN_SADDLE */
 
     struct slider slider; /* a study must not move */
     struct saddle_numbers saddle_numbers;
@@ -85,8 +86,8 @@ struct study_job {
 };
 
 /* n <= STUDY_JOBS studies side by side, each with the bits that it has alone:
- * these stages (bits, closed under what they need: plan.h) in place of those
- * that a scene's products ask for. */
+ * these stages (bits, closed under what they need, PLAN_SADDLE: plan.h) in
+ * place of those that a scene's products ask for. */
 void study_run_jobs(struct study_job job[], size_t n, unsigned stages,
                     const struct monitor *monitor);
 
