@@ -40,7 +40,8 @@ def the_reference_is_between_both_decimals(room):
                 continue
             lo, hi = Decimal(proved['lo']), Decimal(proved['hi'])
             expect(lo <= Decimal(row[column]) <= hi, row['law'], name, proved)
-            in_bar(found[name], Decimal(row[column]))
+            in_bar(found[name], lo)
+            in_bar(found[name], hi)
             expect(hi - lo <= Decimal('1e-11') * abs(hi), row['law'], name)
             compared += 1
         for side in ('up', 'lo'):

@@ -179,11 +179,12 @@ static enum status judge(struct study *s, const struct pair pair[], size_t n,
 }
 
 /* To the bar, which is of the doubles, what reading the decimals costs: it
- * holds all that is proved of these. */
+ * holds all that is proved of these, as texts of 17 digits, too. */
 static void reach(struct quantity *q, const struct proof_number *p)
 {
-    const struct interval off =
-        interval_less(interval_of_double(p->value), interval_point(q->value));
+    const struct interval told = { nextafter(p->value.lo, -HUGE_VAL),
+                                   nextafter(p->value.hi, HUGE_VAL) };
+    const struct interval off = interval_less(told, interval_point(q->value));
 
     if (quantity_exists(q) && !p->not_proved)
         q->error = fmax(q->error, interval_up(interval_most(off)));
