@@ -291,6 +291,17 @@ def a_law_of_formulas_has_one(room):
     expect(rejected(found), 'a formula of itself')
 
 
+def whole_powers_of_either_sign_have_one(room):
+    for n in (2, 3):
+        room.write('power.yaml', f'law: {{mu: mu_star + a*ln(v) + k*ln(v)^{n} + b*ln(psi), '
+                   'psi_ss: 1/v, rate: 1 - v*psi}\nslope: {tan_alpha: 0.4}\n'
+                   'material: {mu_star: 0.35, a: 0.01, b: 0.02, k: 1e-5}\n')
+        found = made(room, f'power{n}.json', 'knees', 'power.yaml')
+        expect(not rejected(found) and ('psi_at_v0' in found['numbers']) == (n == 3), found)
+        found['law']['formulas']['mu'] = found['law']['formulas']['mu'].replace('^', '^-')
+        expect(rejected(found), 'another exponent')
+
+
 def alone(room, law, *where):
     """Of a slope without a saddle."""
     return made(room, f'{law}-{"-".join(where)}.json'.replace('=', '-'), 'knees', '--law',
@@ -488,6 +499,7 @@ run_cases([
     a_certificate_needs_a_proof,
     a_scene_is_not_written_over_by_one,
     a_law_of_formulas_has_one,
+    whole_powers_of_either_sign_have_one,
     a_slope_without_a_saddle_has_one,
     what_cannot_be_shown_claims_nothing,
     a_saddle_that_is_there_is_not_denied,
