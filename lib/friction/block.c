@@ -39,6 +39,7 @@ void block_init(struct block *b, const struct law *law,
     block_lean(b, tan_alpha);
     b->at = (struct anchor){ 0 };
     b->x = b->y = 0.0L;
+    b->bar = 0.0;
     b->steep = (struct vec2){ m->a, m->b };
     b->waits = law->kinetics == KINETICS_SINH;
     b->traps = true;

@@ -3,6 +3,7 @@
 #include "study.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -339,14 +340,25 @@ static bool goes_on(const struct study_job job[], size_t n)
     return false;
 }
 
+/* All but the block, which is large and made by block_init. */
+static void clear(struct study *s)
+{
+    const size_t block = offsetof(struct study, slider.block);
+    const size_t rest = block + sizeof s->slider.block;
+
+    memset(s, 0, block);
+    memset((char *) s + rest, 0, sizeof *s - rest);
+}
+
 static void begin(struct study_job *job, unsigned stages)
 {
     const struct scene *scene = job->scene;
 
     job->why.text[0] = '\0';
-    *job->study = (struct study){ .scene = scene,
-                                  .stages = stages & ~PLAN_SADDLE,
-                                  .saddle_alone = stages & PLAN_SADDLE };
+    clear(job->study);
+    job->study->scene = scene;
+    job->study->stages = stages & ~PLAN_SADDLE;
+    job->study->saddle_alone = stages & PLAN_SADDLE;
     job->status = scene_slope_demand(scene, scene->products, &job->why);
     if (!plan_has(stages, STAGE_STEADY)) /* which begins with that */
         block_init(&job->study->slider.block, &scene->law, &scene->material,
