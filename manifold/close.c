@@ -76,29 +76,29 @@ static double decay_rate(double rate, double growth)
     return rate == 0.0 ? HUGE_VAL : -growth;
 }
 
-static void look(struct approach *a)
+/* By what is seen at z with the rate of `rated`. */
+static void look(struct approach *a, int rated, const struct planar_look *at)
 {
     const struct planar *sys = a->sys;
-    struct planar_jacobian J;
-
-    sys->jacobian(sys->ctx, a->z, &J);
+    const struct mat2 m = at->J.matrix;
     const bool over_x = a->ind == 0;
-    const struct vec2 f = J.field.direction;
+    const struct vec2 f = at->J.field.direction;
     const double along = over_x ? f.x : f.y, across = over_x ? f.y : f.x;
-    const double along_i = over_x ? J.matrix.xx : J.matrix.yy;
-    const double along_d = over_x ? J.matrix.xy : J.matrix.yx;
-    const double across_i = over_x ? J.matrix.yx : J.matrix.xy;
-    const double across_d = over_x ? J.matrix.yy : J.matrix.xx;
-    const double slower = along_i / along, unit = exp(-J.field.log_scale);
+    const double along_i = over_x ? m.xx : m.yy;
+    const double along_d = over_x ? m.xy : m.yx;
+    const double across_i = over_x ? m.yx : m.xy;
+    const double across_d = over_x ? m.yy : m.xx;
+    const double slower = along_i / along, unit = exp(-at->J.field.log_scale);
 
     a->first.unknown = a->toward * across / along;
     a->kappa.unknown =
         decay_rate(across, a->toward * (across_i / across - slower));
     a->stiffness = fabs((across_d - across / along * along_d) / along);
     for (size_t i = 0; i < a->carry->count; i++) {
-        double rate = 1.0;
-        struct vec2 gradient = { 0.0, 0.0 };
-        if (a->carry->which[i] != CARRY_TIME)
+        const bool seen = rated >= 0;
+        double rate = seen ? at->rate : 1.0;
+        struct vec2 gradient = seen ? at->gradient : (struct vec2){ 0.0, 0.0 };
+        if (!seen && a->carry->which[i] != CARRY_TIME)
             sys->rate_gradient(sys->ctx, (size_t) a->carry->which[i], a->z,
                                &rate, &gradient);
         const double rate_i = over_x ? gradient.x : gradient.y;
@@ -294,9 +294,11 @@ static bool holds(const struct approach *a, const struct tail *t)
 }
 
 bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
-                const struct carry *carry, const struct tail_most *most,
-                struct tail *t)
+                const struct planar_look *at, const struct carry *carry,
+                const struct tail_most *most, struct tail *t)
 {
+    const int rated = many_carried(carry);
+    struct planar_look own;
     struct approach a = { .sys = sys,
                           .carry = carry,
                           .ind = ind,
@@ -305,7 +307,9 @@ bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
                           .most = most };
 
     *t = (struct tail){ 0 };
-    look(&a);
+    if (at == NULL)
+        many_at(&sys, 1, &z, rated, true, &own);
+    look(&a, rated, at ? at : &own);
     const double kappa = a.kappa.unknown;
     if (!(kappa > TOL_LIMIT_DECAY) ||
         (kappa < HUGE_VAL && !close_unknown(&a, t)))

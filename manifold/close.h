@@ -20,7 +20,8 @@ struct tail_most {
  * toward * infinity, where the slope d dep/d ind decays at least
  * exponentially.  False, with *t undefined, where it does not decay, or where
  * an error is more than `most`, which a part of the work may tell.  most NULL:
- * errors are not asked for and left 0. */
+ * errors are not asked for and left 0.  at: what was seen at z with the rate of
+ * many_carried(carry); NULL: nothing yet. */
 bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
-                const struct carry *carry, const struct tail_most *most,
-                struct tail *t);
+                const struct planar_look *at, const struct carry *carry,
+                const struct tail_most *most, struct tail *t);

@@ -192,10 +192,8 @@ static size_t look_at_ends(struct grower *const g[], size_t n)
         z[count] = g[count]->at_end;
     }
     many_at(sys, count, z, which, true, end);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         g[i]->end = end[i];
-        g[i]->rated = which >= 0;
-    }
     return count;
 }
 

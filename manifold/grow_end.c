@@ -61,9 +61,10 @@ static struct tail_most most_of(const struct grower *g)
 }
 
 static bool close_at(const struct grower *g, struct vec2 z,
-                     const struct tail_most *most, struct tail *t)
+                     const struct planar_look *at, const struct tail_most *most,
+                     struct tail *t)
 {
-    return close_tail(g->sys, g->ind, g->toward, z, &g->o->carry, most, t);
+    return close_tail(g->sys, g->ind, g->toward, z, at, &g->o->carry, most, t);
 }
 
 /* What the tail makes of dep's error: by the tail beside it. */
@@ -76,7 +77,7 @@ static bool carry_over_tail(struct grower *g, const struct tail *t)
     double drift[LOCAL_CARRY_MAX];
     struct tail beside;
 
-    if (!close_at(g, z, NULL, &beside))
+    if (!close_at(g, z, NULL, NULL, &beside))
         return false;
     for (size_t i = 0; i < g->o->carry.count; i++)
         drift[i] = (beside.integral[i] - t->integral[i]) / aside;
@@ -91,7 +92,7 @@ bool grow_end_close(struct grower *g)
     if (!may_close(g))
         return false;
     const struct tail_most most = most_of(g);
-    if (!close_at(g, g->z, &most, &t) ||
+    if (!close_at(g, g->z, &g->end, &most, &t) ||
         !limit_exists(g->sys, g->ind, g->toward,
                       grower_coordinate(g->z, 1 - g->ind)) ||
         !carry_over_tail(g, &t))

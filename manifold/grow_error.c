@@ -12,6 +12,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "many.h"
 #include "tolerance.h"
 
 double grow_error_bound(const struct grow_miss *m)
@@ -40,7 +41,7 @@ void grow_error_look(struct grower *g, struct vec2 z)
         struct vec2 gradient = g->end.gradient;
         if (!g->b->from_saddle[i])
             continue;
-        if (!g->rated)
+        if (many_carried(&g->o->carry) < 0)
             sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z,
                                &rate, &gradient);
         const double rate_i = over_x ? gradient.x : gradient.y;

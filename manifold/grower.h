@@ -41,8 +41,8 @@ struct grower {
     double h;    /* step chosen, of s, positive */
     double last; /* length of the step before */
     double kink; /* slope that its series misses on the way */
-    struct planar_look end; /* at the end of the last step */
-    bool rated;             /* with the rate of what is carried alone */
+    struct planar_look end; /* at the end of the last step, with the rate of
+                               many_carried */
     struct vec2 at_end;     /* where that is, and what slope its series has */
     double slope;           /* there, per s */
     bool edge;              /* the step ends on that of the domain */
