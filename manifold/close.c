@@ -192,12 +192,18 @@ static void fine_rule(const struct approach *a, double kappa, struct rules *r)
     sum_up(a, FIRST, at_0_weight, p, 1.0, &r->at_0);
 }
 
-static void other_rules(const struct approach *a, double kappa, struct rules *r)
+static void coarse_rule(const struct approach *a, double kappa, struct rules *r)
+{
+    struct tail_point p[COARSE];
+
+    rule(a, COARSE, coarse_node, coarse_weight, kappa, p, &r->coarse);
+}
+
+static void middle_rule(const struct approach *a, double kappa, struct rules *r)
 {
     struct tail_point p[MIDDLE];
 
     rule(a, MIDDLE, middle_node, middle_weight, kappa, p, &r->middle);
-    rule(a, COARSE, coarse_node, coarse_weight, kappa, p, &r->coarse);
 }
 
 static double miss(double fine, double middle, double coarse, double at_0,
@@ -238,8 +244,10 @@ static bool close_integral(const struct approach *a, size_t i, struct tail *t)
         t->integral_error[i] = HUGE_VAL;
         return true;
     }
-    if (a->most)
-        other_rules(a, kappa, &r);
+    if (a->most) {
+        coarse_rule(a, kappa, &r);
+        middle_rule(a, kappa, &r);
+    }
     if (a->most && misses(r.middle.integral[i], r.coarse.integral[i],
                           a->most->integral[i]))
         return false;
@@ -248,15 +256,36 @@ static bool close_integral(const struct approach *a, size_t i, struct tail *t)
     return true;
 }
 
+/* Whether the dependent coordinate's error is more than is allowed, whatever
+ * the other rules say: with S the stiffness over kappa and g = first/kappa,
+ *     |fine - coarse| + S |fine - g| >= min(1, S) |coarse - g|
+ * but for some roundings. */
+static bool strays(const struct approach *a, double kappa, double coarse)
+{
+    const double part = fmin(a->stiffness / kappa, 1.0);
+    const double off = fabs(coarse - a->first.unknown / kappa);
+
+    return part * off * (1.0 - 8.0 * DBL_EPSILON) > a->most->unknown;
+}
+
+/* Whether rules of a few points tell that. */
+static bool misses_unknown(const struct approach *a, double kappa,
+                           struct rules *r)
+{
+    coarse_rule(a, kappa, r);
+    if (strays(a, kappa, r->coarse.unknown))
+        return true;
+    middle_rule(a, kappa, r);
+    return misses(r->middle.unknown, r->coarse.unknown, a->most->unknown);
+}
+
 /* The dependent coordinate, and the integrals that decay as it does. */
 static bool close_unknown(const struct approach *a, struct tail *t)
 {
     const double kappa = a->kappa.unknown;
     struct rules r;
 
-    if (a->most)
-        other_rules(a, kappa, &r);
-    if (a->most && misses(r.middle.unknown, r.coarse.unknown, a->most->unknown))
+    if (a->most && misses_unknown(a, kappa, &r))
         return false;
     fine_rule(a, kappa, &r);
     t->unknown = r.fine.unknown;
