@@ -50,6 +50,17 @@ static bool is_tie(quad u)
     return (low & (((uint64_t) 1 << 60) - 1)) == (uint64_t) 1 << 59;
 }
 
+/* m 10^-places */
+static bool double_of(uint64_t m, int places, double *value)
+{
+    const quad exact = moved((quad) m, -places);
+
+    if (is_tie(exact))
+        return false;
+    *value = (double) exact;
+    return true;
+}
+
 bool decimal_read(const char *text, double *value)
 {
     const bool minus = *text == '-';
@@ -74,14 +85,40 @@ bool decimal_read(const char *text, double *value)
     if (n == 0 || *text != '\0' || m == UINT64_MAX || m == 0 ||
         places > PLACES || places < -PLACES)
         return false;
-    const quad exact = moved((quad) m, -places);
-    if (is_tie(exact))
+    if (!double_of(m, places, value))
         return false;
-    *value = (double) (minus ? -exact : exact);
+    *value = minus ? -*value : *value;
     return true;
 }
 
 /* ---- written ------------------------------------------------------------- */
+
+/* |value| as m 10^-places, m of so many digits. */
+static bool whole_of(double value, int digits, uint64_t *m, int *places)
+{
+    if (!isnormal(value))
+        return false;
+    *places = digits - 1 - (int) floor(log10(fabs(value)));
+    if (*places > PLACES || *places < -PLACES)
+        return false;
+    const quad exact = moved((quad) fabs(value), *places);
+    *m = (uint64_t) exact;
+    const double rest = (double) (exact - (quad) *m);
+    *m += rest > 0.5;
+    return fabs(rest - 0.5) > 1e-12 && *m < (uint64_t) ten[digits] &&
+           *m >= (uint64_t) ten[digits - 1];
+}
+
+bool decimal_round(double value, int digits, double *rounded)
+{
+    uint64_t m;
+    int places;
+
+    if (!whole_of(value, digits, &m, &places) || !double_of(m, places, rounded))
+        return false;
+    *rounded = copysign(*rounded, value);
+    return true;
+}
 
 /* d[0].d[1]..d[n - 1] 10^power without an exponent, or with one. */
 static char *put_plain(char *at, const char *d, int n, int power)
@@ -112,38 +149,19 @@ static char *put_power(char *at, const char *d, int n, int power)
     return at;
 }
 
-/* The digits of |value| rounded to so many, value about 10^power. */
-static bool digits_of(double value, int digits, int power, char d[])
-{
-    const int places = digits - 1 - power;
-
-    if (places > PLACES || places < -PLACES)
-        return false;
-    const quad exact = moved((quad) fabs(value), places);
-    uint64_t m = (uint64_t) exact;
-    const double rest = (double) (exact - (quad) m);
-    if (fabs(rest - 0.5) < 1e-12)
-        return false;
-    m += rest > 0.5;
-    if (m >= (uint64_t) ten[digits] || m < (uint64_t) ten[digits - 1])
-        return false;
-    for (int i = digits; i-- > 0; m /= 10)
-        d[i] = (char) ('0' + m % 10);
-    return true;
-}
-
 bool decimal_write(double value, int digits, char *text)
 {
     char d[DIGITS];
+    uint64_t m;
+    int n = digits, places;
 
-    if (!isnormal(value))
+    if (!whole_of(value, digits, &m, &places))
         return false;
-    const int power = (int) floor(log10(fabs(value)));
-    if (!digits_of(value, digits, power, d))
-        return false;
-    int n = digits;
+    for (int i = digits; i-- > 0; m /= 10)
+        d[i] = (char) ('0' + m % 10);
     while (n > 1 && d[n - 1] == '0')
         n--;
+    const int power = digits - 1 - places;
     if (value < 0)
         *text++ = '-';
     *(power < -4 || power >= digits ? put_power : put_plain)(text, d, n,

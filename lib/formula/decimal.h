@@ -9,5 +9,8 @@
 /* The nearest double of [sign]digits[.digits][e[sign]digits]. */
 bool decimal_read(const char *text, double *value);
 
+/* What `digits` digits of it read as. */
+bool decimal_round(double value, int digits, double *rounded);
+
 /* As "%.*g" of up to 17 digits, with a point: 24 characters at most. */
 bool decimal_write(double value, int digits, char *text);

@@ -98,31 +98,39 @@ static double read_back(struct number_text shown, double value)
     return read;
 }
 
+static double rounded(int digits, double value)
+{
+    double read;
+
+    return decimal_round(value, digits, &read)
+               ? read
+               : read_back(number_digits(digits, value), value);
+}
+
 /* The fewest digits, `digits` or more, that move it by at most `most`; *moved:
  * by how much.  What d digits hold, d + 1 hold no worse: by bisection.  Up to
  * 15 digits are written without an exponent where %g of 15 does. */
 static struct number_text number_within(double value, double most, int digits,
                                         double *moved)
 {
-    struct number_text shown = number_digits(DBL_DECIMAL_DIG, value);
+    double read = value;
     int enough = DBL_DECIMAL_DIG;
 
     *moved = 0.0;
     while (digits < enough) {
         const int middle = (digits + enough) / 2;
-        const struct number_text less = number_digits(middle, value);
-        const double off = fabs(read_back(less, value) - value);
+        const double less = rounded(middle, value), off = fabs(less - value);
 
         if (off > most) {
             digits = middle + 1;
         } else {
-            shown = less;
+            read = less;
             *moved = off;
             enough = middle;
         }
     }
-    return enough < DBL_DIG ? number_digits(DBL_DIG, read_back(shown, value))
-                            : shown;
+    return enough < DBL_DIG ? number_digits(DBL_DIG, read)
+                            : number_digits(enough, value);
 }
 
 struct number_text number_shortest(double value)

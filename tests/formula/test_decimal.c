@@ -60,6 +60,26 @@ static void decimals_are_read_as_the_c_library_does(void **state)
     CHECK(refused < COUNT / 4, "%d refused", refused);
 }
 
+static void what_digits_read_as_is_told_without_them(void **state)
+{
+    uint64_t seed = check_seed();
+    int refused = 0;
+
+    (void) state;
+    for (int i = 0; i < COUNT; i++) {
+        const double x = drawn(&seed, i);
+        const int digits = 1 + (int) (check_bits(&seed) % 17);
+        char text[40];
+        double y = NAN;
+        snprintf(text, sizeof text, "%.*g", digits, x);
+        if (decimal_round(x, digits, &y))
+            CHECK(y == strtod(text, NULL), "'%s': %.17g", text, y);
+        else
+            refused++;
+    }
+    CHECK(refused < COUNT / 4, "%d refused", refused);
+}
+
 static void halves_of_a_last_digit_are_refused(void **state)
 {
     double x = 7.0;
@@ -91,6 +111,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(digits_are_those_of_the_c_library),
         cmocka_unit_test(decimals_are_read_as_the_c_library_does),
+        cmocka_unit_test(what_digits_read_as_is_told_without_them),
         cmocka_unit_test(halves_of_a_last_digit_are_refused),
         cmocka_unit_test(what_is_no_decimal_is_refused),
     };
