@@ -125,6 +125,8 @@ class Block(Plane):
         (xx, yx, _), (xy, yy, _) = self.jacobian(0, ZERO, ZERO)
         unit = self.v if self.is_log else self.v * self.psi
         det, trace = xx * yy - xy * yx, xx + yy
-        claim(det < 0 and trace < 0, 'det J < 0 at the saddle')
-        minus = (trace - iv.sqrt(trace ** 2 - 4 * det)) / 2
-        return minus / unit, det / minus / unit
+        claim(det < 0, 'det J < 0 at the saddle')
+        root, falls = iv.sqrt(trace ** 2 - 4 * det), trace.mid < 0
+        away = (trace - root if falls else trace + root) / 2
+        both = away / unit, det / away / unit
+        return both if falls else both[::-1]

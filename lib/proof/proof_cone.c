@@ -24,9 +24,13 @@ bool proof_is_saddle(struct interval_tape *t, struct proof_saddle *out)
 
     if (!(det.hi < 0) || !interval_is_finite(root))
         return false;
-    const struct interval minus = times(point(0.5), interval_less(trace, root));
-    out->lambda_minus = times(unit, minus);
-    out->lambda_plus = times(unit, interval_divide(det, minus));
+    const bool falls = interval_middle(trace) < 0;
+    const struct interval sum =
+        falls ? interval_less(trace, root) : add(trace, root);
+    const struct interval away = times(point(0.5), sum);
+    const struct interval near = interval_divide(det, away);
+    out->lambda_minus = times(unit, falls ? away : near);
+    out->lambda_plus = times(unit, falls ? near : away);
     return true;
 }
 

@@ -105,7 +105,7 @@ static void a_saddle_is_told_by_its_eigenvalues(void **state)
         char rate[2][100];
         struct proof_saddle s;
         for (int i = 0; i < 4; i++)
-            m[i] = check_uniform(&rng, -1, 1);
+            m[i] = check_uniform(&rng, -1, 1) * (n % 2 ? 1 : pow(10, -3 * i));
         for (int i = 0; i < 2; i++)
             snprintf(rate[i], sizeof rate[i], "(%.17g)*x + (%.17g)*y", m[2 * i],
                      m[2 * i + 1]);
@@ -120,6 +120,12 @@ static void a_saddle_is_told_by_its_eigenvalues(void **state)
                       s.lambda_plus.lo < plus + 1e-14 &&
                       plus - 1e-14 < s.lambda_plus.hi,
                   "draw %d: %g %g %g %g", n, m[0], m[1], m[2], m[3]);
+            CHECK(s.lambda_minus.hi - s.lambda_minus.lo <
+                          -1e-12L * s.lambda_minus.hi &&
+                      s.lambda_plus.hi - s.lambda_plus.lo <
+                          1e-12L * s.lambda_plus.lo,
+                  "draw %d: [%.20Lg, %.20Lg]", n, s.lambda_minus.lo,
+                  s.lambda_minus.hi);
             saddles++;
         } else {
             CHECK(det > -1e-12 || half > 0, "draw %d: det %g", n, det);
