@@ -13,8 +13,7 @@ enum branch_end {
     BRANCH_LIMIT_Y, /* x -> +-infinity while y has a limit */
     BRANCH_DOMAIN,  /* left the domain, or goes on for ever, without a limit */
     BRANCH_EQUILIBRIUM, /* ran into one, or where its follower ended it */
-    BRANCH_STEPS,       /* more steps than allowed, or too short ones */
-    BRANCH_ENDS
+    BRANCH_STEPS        /* more steps than allowed, or too short ones */
 };
 
 /* A piece's part in the errors at the end: an error e of dep before it is

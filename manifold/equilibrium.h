@@ -11,8 +11,7 @@ enum equilibrium_type {
     EQUILIBRIUM_STABLE_NODE,
     EQUILIBRIUM_SADDLE_NODE, /* one eigenvalue is zero: at a fold */
     EQUILIBRIUM_UNSTABLE_NODE,
-    EQUILIBRIUM_FOCUS,
-    EQUILIBRIUM_TYPES
+    EQUILIBRIUM_FOCUS
 };
 extern const char *const equilibrium_type_names[];
 

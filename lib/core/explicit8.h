@@ -10,7 +10,6 @@
 enum {
     EXPLICIT8_DEGREE = 7,
     EXPLICIT8_CALLS = 11,
-    EXPLICIT8_DENSE_CALLS = 4,
     EXPLICIT8_TERMS = 3 /* estimates of last terms (explicit8_table.h) */
 };
 

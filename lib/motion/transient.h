@@ -25,8 +25,7 @@ enum transient_end {
                              it from above, of the saddle; and no rest; or
                              further, to where the limit of its slip is known */
     TRANSIENT_LOST,    /* could not be followed further */
-    TRANSIENT_NEAR,    /* too near the separatrix: up to the saddle */
-    TRANSIENT_ENDS
+    TRANSIENT_NEAR     /* too near the separatrix: up to the saddle */
 };
 extern const char *const transient_end_names[];
 

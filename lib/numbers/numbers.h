@@ -33,12 +33,11 @@ struct saddle_numbers {
 };
 
 enum end_code {
-    END_PSI_INF,   /* psi -> inf, v -> v_plus */
-    END_OPEN,      /* no limit */
-    END_PSI_0,     /* psi -> 0 (-inf), v -> v_minus */
-    END_V_0,       /* v -> 0 at psi_at_v0 */
-    END_TRUNCATED, /* left [1e-300, 1e300], or steps gave out */
-    END_CODES
+    END_PSI_INF,  /* psi -> inf, v -> v_plus */
+    END_OPEN,     /* no limit */
+    END_PSI_0,    /* psi -> 0 (-inf), v -> v_minus */
+    END_V_0,      /* v -> 0 at psi_at_v0 */
+    END_TRUNCATED /* left [1e-300, 1e300], or steps gave out */
 };
 
 struct knee_number {
