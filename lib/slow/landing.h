@@ -10,13 +10,17 @@
 /* Components in arc length of the chart. */
 enum { LAYER_X, LAYER_Y, LAYER_TIME, LAYER_SLIP, LAYER_DIM };
 
-/* What a step may have missed, by each of the estimates there are: `across` the
- * orbit, to its left, and of time and slip where it has come as far along; by
- * how much rounding moves it across; and what it makes of a unit across at its
- * start: `left` of it, and more of time and slip. */
+/* Terms of a step's series: those of explicit8_table.h, and all from order 4
+ * on. */
+enum { LANDING_FOURTH = EXPLICIT8_TERMS, LANDING_TERMS };
+
+/* The terms of a step `across` the orbit, to its left, and of time and slip
+ * where it has come as far along; by how much rounding moves it across; and
+ * what it makes of a unit across at its start: `left` of it, and more of time
+ * and slip. */
 struct landing_step {
-    double across[EXPLICIT8_TERMS];
-    double time[EXPLICIT8_TERMS], slip[EXPLICIT8_TERMS];
+    double across[LANDING_TERMS];
+    double time[LANDING_TERMS], slip[LANDING_TERMS];
     double digits;
     double left, time_gain, slip_gain;
 };

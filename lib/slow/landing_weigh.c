@@ -11,6 +11,7 @@
  * way, or vanish. */
 #include "landing_weigh.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "slow_tolerance.h"
@@ -30,17 +31,42 @@ static void weight_before(struct weight *w, double left, double gain)
     w->blur = left * w->blur + TOL_LAYER_BLUR * change;
 }
 
-/* The largest that estimates of one thing, and of what t makes of another, are
- * together. */
-static double largest(const double of[], const double across[],
-                      const struct weight *t)
+/* The cube of the ratio in which terms fall, by one of order 7: one of order 6
+ * that vanishes says nothing where those from order 4 on are large. */
+static double cube_of(double seventh, double sixth, double fourth)
 {
-    double most = 0.0;
+    const double r = seventh / sixth;
 
-    for (int j = 0; j < EXPLICIT8_TERMS; j++)
-        most = fmax(most, fabs(of[j] + t->value * across[j]) +
-                              t->blur * fabs(across[j]));
-    return most;
+    return fmin(r * r * r, seventh / fourth);
+}
+
+double landing_missed(const double size[LANDING_TERMS], double apart)
+{
+    const double sixth = fmax(fmax(size[0], size[1]), DBL_MIN);
+    const double fourth = fmax(size[LANDING_FOURTH], DBL_MIN);
+    const double square = TOL_LAYER_FOURTH * sixth / fourth;
+    const double next =
+        fmax(cube_of(size[2], sixth, fourth), cube_of(apart, sixth, fourth));
+
+    return TOL_LAYER_MISSED *
+           fmin(fmax(square * sqrt(square), next), TOL_LAYER_FALL);
+}
+
+/* What a step misses of one thing and of what t makes of another, by the terms
+ * of both. */
+static double missed_of(const double of[], const double across[],
+                        const struct weight *t)
+{
+    const double apart =
+        fabs(of[0] - of[1]) + fabs(t->value * (across[0] - across[1]));
+    double size[LANDING_TERMS], most = 0.0;
+
+    for (int n = 0; n < LANDING_TERMS; n++)
+        size[n] = fabs(of[n]) + fabs(t->value * across[n]);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++)
+        most = fmax(most, fabs(of[n] + t->value * across[n]) +
+                              t->blur * fabs(across[n]));
+    return landing_missed(size, apart) * most;
 }
 
 struct landing_bar landing_weigh(const struct landing *l,
@@ -54,13 +80,15 @@ struct landing_bar landing_weigh(const struct landing *l,
         const struct landing_step *m = &l->step[k];
         const struct weight more = { x.value - v * t.value,
                                      x.blur + v * t.blur };
-        double late[EXPLICIT8_TERMS];
-        for (int j = 0; j < EXPLICIT8_TERMS; j++)
+        double late[LANDING_TERMS];
+        for (int j = 0; j < LANDING_TERMS; j++)
             late[j] = m->slip[j] - v * m->time[j];
-        bar.time += largest(m->time, m->across, &t) + fabs(t.value) * m->digits;
-        bar.slip += largest(m->slip, m->across, &x) + fabs(x.value) * m->digits;
+        bar.time +=
+            missed_of(m->time, m->across, &t) + fabs(t.value) * m->digits;
+        bar.slip +=
+            missed_of(m->slip, m->across, &x) + fabs(x.value) * m->digits;
         bar.more +=
-            largest(late, m->across, &more) + fabs(more.value) * m->digits;
+            missed_of(late, m->across, &more) + fabs(more.value) * m->digits;
         weight_before(&t, m->left, m->time_gain);
         weight_before(&x, m->left, m->slip_gain);
     }

@@ -6,6 +6,10 @@
 
 #include "landing.h"
 
+/* What a step of order 8 misses of a number, of its largest term of order 6 or
+ * 7; size: of the number's terms, apart: of how both of order 6 differ. */
+double landing_missed(const double size[LANDING_TERMS], double apart);
+
 /* Of time and slip still to come. */
 struct landing_slope {
     double time, slip;

@@ -17,6 +17,7 @@
 
 #include "explicit8_table.h"
 #include "landing.h"
+#include "landing_weigh.h"
 #include "layer_peaks.h"
 #include "slider.h"
 #include "slow_tolerance.h"
@@ -28,7 +29,7 @@ struct bundle {
     const struct slow_curve *curve;
     lanes u[LAYER_DIM], k[STEPS][LAYER_DIM];
     lanes u1[LAYER_DIM];
-    lanes term[EXPLICIT8_TERMS][LAYER_DIM], fall; /* as of miss */
+    lanes term[LANDING_TERMS][LAYER_DIM]; /* as of landing.h */
     lanes h, most, tol, least[2];
     lanes previous, last;   /* error and size of the last accepted step */
     lanes fresh;            /* 1: no step was refused */
@@ -112,33 +113,10 @@ static void stage(struct bundle b[], int j)
     along(b, x, y, j >= WEIGHED, du);
 }
 
-/* The square of the ratio in which terms fall from order to order, of place (0)
- * or of time and slip (1): as the one of order 7 and what both of order 6
- * differ by are to these, and as these are to what there is from order 4 on
- * (r3); all in tolerances. */
-static lanes fall_of(lanes term[][LAYER_DIM], const lanes r3[], int g)
-{
-    const lanes tiny = LANES_OF(DBL_MIN), none = LANES_OF(0.0);
-    lanes sixth = none, seventh = none, apart = none, fourth = none;
-
-    for (int i = g * LAYER_TIME; i < (g + 1) * LAYER_TIME; i++) {
-        const lanes a = term[0][i], b = term[1][i], c = term[2][i];
-        sixth += 0.5 * (a * a + b * b);
-        seventh += c * c;
-        apart += (a - b) * (a - b);
-        fourth += r3[i] * r3[i];
-    }
-    const lanes next = lanes_larger(seventh, apart) / lanes_larger(sixth, tiny);
-    const lanes before = lanes_root(sixth / lanes_larger(fourth, tiny));
-    return lanes_smaller(lanes_larger(next, TOL_LAYER_FOURTH * before),
-                         LANES_OF(TOL_LAYER_FALL));
-}
-
 /* After the stages, as explicit8_try: the error over the tolerance. */
 static lanes finish(struct bundle *b)
 {
-    lanes gain[LAYER_DIM], third[LAYER_DIM], e5[LAYER_DIM], r3[LAYER_DIM];
-    lanes term[EXPLICIT8_TERMS][LAYER_DIM];
+    lanes gain[LAYER_DIM], third[LAYER_DIM], e5[LAYER_DIM];
     const lanes none = LANES_OF(0.0);
     lanes sum5 = none, sum3 = none;
 
@@ -146,20 +124,17 @@ static lanes finish(struct bundle *b)
     combine(b, LAYER_DIM, STEPS, explicit8_weight3, third);
     combine(b, LAYER_DIM, STEPS, explicit8_error5, e5);
     for (int n = 0; n < EXPLICIT8_TERMS; n++)
-        combine(b, LAYER_DIM, STEPS, explicit8_term[n], term[n]);
+        combine(b, LAYER_DIM, STEPS, explicit8_term[n], b->term[n]);
     for (int i = 0; i < LAYER_DIM; i++) {
         b->u1[i] = b->h * gain[i] + b->u[i];
         const lanes unit = 1.0 / on_tolerance(b, i);
-        const lanes r5 = e5[i] * unit;
-        r3[i] = (gain[i] - third[i]) * unit;
-        sum3 += r3[i] * r3[i];
+        const lanes r5 = e5[i] * unit, r3 = (gain[i] - third[i]) * unit;
+        sum3 += r3 * r3;
         sum5 += r5 * r5;
-        for (int n = 0; n < EXPLICIT8_TERMS; n++) {
-            b->term[n][i] = b->h * term[n][i];
-            term[n][i] *= unit;
-        }
+        b->term[LANDING_FOURTH][i] = gain[i] - third[i];
+        for (int n = 0; n < LANDING_TERMS; n++)
+            b->term[n][i] *= b->h;
     }
-    b->fall = lanes_larger(fall_of(term, r3, 0), fall_of(term, r3, 1));
     const lanes all = sum5 + 0.01 * sum3;
     const lanes off = lanes_size(b->h) * sum5 / lanes_root(LAYER_DIM * all);
     return lanes_less(none, sum5, off, sum5);
@@ -195,10 +170,9 @@ static lanes judge(struct bundle *b, lanes off, lanes *factor)
 /* struct landing_step of every lane, and what else is known of the step;
  * b->k[0] was du0. */
 struct steps {
-    lanes across[EXPLICIT8_TERMS], gain[2][EXPLICIT8_TERMS];
-    lanes digits, left, carried[2];
-    lanes most, place;          /* missed across, and at its end */
-    lanes gained[2], rounds[2]; /* of time and slip */
+    lanes across[LANDING_TERMS], gain[2][LANDING_TERMS];
+    lanes digits, rounded, left, carried[2]; /* rounded: its end */
+    lanes gained[2], rounds[2];              /* of time and slip */
     lanes good, factor, du0[LAYER_DIM];
     lanes spread, aside[2];
 };
@@ -257,26 +231,17 @@ static void carry(struct bundle *b, struct steps *m)
     b->spread = lanes_less(none, m->good, m->spread, b->spread);
 }
 
-/* All that a step misses, and its end.  What is late because it lies aside is
- * to cancel, so one ratio is that of all. */
-static void miss(const struct bundle *b, struct steps *m)
+/* The terms across its end, and of time and slip where it is as far along. */
+static void turn_terms(const struct bundle *b, struct steps *m)
 {
     const lanes *du = b->k[0];
-    const lanes r = lanes_root(b->fall);
-    const lanes part = TOL_LAYER_MISSED * b->fall * r * (1.0 + r + b->fall);
 
-    m->most = m->place = LANES_OF(0.0);
-    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+    for (int n = 0; n < LANDING_TERMS; n++) {
         const lanes *t = b->term[n];
         const lanes on = t[LAYER_X] * du[LAYER_X] + t[LAYER_Y] * du[LAYER_Y];
-        const lanes size = lanes_size(t[LAYER_X]) + lanes_size(t[LAYER_Y]);
-        m->across[n] =
-            part * (t[LAYER_Y] * du[LAYER_X] - t[LAYER_X] * du[LAYER_Y]);
+        m->across[n] = t[LAYER_Y] * du[LAYER_X] - t[LAYER_X] * du[LAYER_Y];
         for (int i = 0; i < 2; i++)
-            m->gain[i][n] =
-                part * (t[LAYER_TIME + i] - du[LAYER_TIME + i] * on);
-        m->most = lanes_larger(m->most, lanes_size(m->across[n]));
-        m->place = lanes_larger(m->place, part * size);
+            m->gain[i][n] = t[LAYER_TIME + i] - du[LAYER_TIME + i] * on;
     }
 }
 
@@ -292,10 +257,10 @@ static void account(struct bundle *b, struct steps *m)
     const lanes moved = digit_x * dx + digit_y * dy;
 
     carry(b, m);
-    miss(b, m);
+    turn_terms(b, m);
     m->digits = digit_x * dy + digit_y * dx +
                 TOL_SLOW_TERMS * digits * lanes_size(b->h) * dx * dy;
-    m->place += digits;
+    m->rounded = digits;
     for (int i = 0; i < 2; i++)
         m->rounds[i] = digits * m->gained[i] + du[LAYER_TIME + i] * moved;
 }
@@ -321,26 +286,47 @@ static void find_peaks(struct bundle *b, int l, const struct steps *m,
     layer_peaks_step(&b->at[l], b->h[l], across, &stages, u1, du1);
 }
 
+/* What lane l's step misses across its end, and of its place. */
+static double missed(struct bundle *b, int l, const struct steps *m,
+                     double *place)
+{
+    double size[LANDING_TERMS], across = 0.0;
+    const lanes *const first = b->term[0], *const second = b->term[1];
+    const double apart = fabs(first[LAYER_X][l] - second[LAYER_X][l]) +
+                         fabs(first[LAYER_Y][l] - second[LAYER_Y][l]);
+
+    for (int n = 0; n < LANDING_TERMS; n++)
+        size[n] = fabs(b->term[n][LAYER_X][l]) + fabs(b->term[n][LAYER_Y][l]);
+    const double part = landing_missed(size, apart);
+    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+        across = fmax(across, fabs(m->across[n][l]));
+        *place = fmax(*place, part * size[n]);
+    }
+    return part * across;
+}
+
 /* Keeps what lane l's step was. */
 static void keep(struct bundle *b, int l, const struct steps *m)
 {
     struct landing *at = &b->at[l];
     struct landing_step *to = &at->step[at->out->steps++];
-    const double before = at->across, missed = m->most[l] + m->digits[l];
+    double place = 0.0;
+    const double before = at->across;
+    const double across = missed(b, l, m, &place) + m->digits[l];
 
-    at->across = m->left[l] * before + missed;
+    at->across = m->left[l] * before + across;
     at->time_error += m->rounds[0][l];
     at->slip_error += m->rounds[1][l];
-    at->out->place_error += m->place[l];
+    at->out->place_error += place + m->rounded[l];
     if (at->options.peaks)
-        find_peaks(b, l, m, fmax(m->left[l], 1.0) * before + missed);
+        find_peaks(b, l, m, fmax(m->left[l], 1.0) * before + across);
     *to = (struct landing_step){
         .digits = m->digits[l],
         .left = m->left[l],
         .time_gain = m->carried[0][l],
         .slip_gain = m->carried[1][l],
     };
-    for (int n = 0; n < EXPLICIT8_TERMS; n++) {
+    for (int n = 0; n < LANDING_TERMS; n++) {
         to->across[n] = m->across[n][l];
         to->time[n] = m->gain[0][n][l];
         to->slip[n] = m->gain[1][n][l];

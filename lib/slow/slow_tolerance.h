@@ -60,15 +60,14 @@
 #define TOL_LAYER_BEND      3.0
 #define TOL_LAYER_TRANSPORT 6.0
 
-/* What a step of order 8 misses (layer_lanes.c): this times its term of order 6
- * times r^3 + r^4 + r^5, r the ratio in which terms fall (measured on 40,000
- * steps: 1.2e-4 in the mean, less than 4e-3 for 998 of 1000; integrals of
- * powers have 2.4e-4).  The least r^2, over the term of order 6 by those from
- * order 4 on (a quarter of what these are, and they are estimated by a tenth);
- * and the largest r^2, where terms grow. */
-#define TOL_LAYER_MISSED 4e-3
-#define TOL_LAYER_FOURTH 0.025
-#define TOL_LAYER_FALL   1.5
+/* What a step of order 8 misses (landing_weigh.h): this times its terms of
+ * order 6 and 7 times r^3, r the ratio in which terms fall; ten times what
+ * integrals of powers have.  r^2 over the term of order 6 by those from order 4
+ * on: what the latter's estimate has of the term of order 4 of an integral; and
+ * the largest r^3, where terms grow. */
+#define TOL_LAYER_MISSED 2.4e-3
+#define TOL_LAYER_FOURTH 0.1
+#define TOL_LAYER_FALL   30.0
 
 /* How well what a step makes of a unit across is known (landing.c), as a part
  * of what it changes. */

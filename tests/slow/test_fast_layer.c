@@ -1,6 +1,7 @@
 /* States that fall onto the slow curve. */
 #include "fast_layer.h"
 
+#include "any_law.h"
 #include "place.h"
 #include "tolerance.h"
 
@@ -151,6 +152,86 @@ static void bars_hold_what_loose_steps_miss(void **state)
     place_drop(&p);
 }
 
+/* ---- bars ---------------------------------------------------------------- */
+
+enum { LAWS_TRIED = 48, STATES_OF_LAW = 6, ASKED = 3, MOST = 4096 };
+
+struct ratios {
+    size_t count;
+    double of[MOST]; /* bars over true errors, but for the table's */
+};
+
+static int rising(const void *a, const void *b)
+{
+    const double x = *(const double *) a, y = *(const double *) b;
+    return (x > y) - (x < y);
+}
+
+/* Finer ones are known a lot better. */
+static void compare(struct ratios *r, const char *name, struct vec2 z,
+                    double value, double bar, double fine, double fine_bar)
+{
+    const double off = fabs(value - fine);
+
+    CHECK(off <= bar + fine_bar, "%s (%.17g, %.17g): %.17g +- %g, not %.17g",
+          name, z.x, z.y, value, bar, fine);
+    if (fine_bar < 0.01 * bar && r->count < MOST)
+        r->of[r->count++] = bar / fmax(off, fine_bar);
+}
+
+static void try_state(const struct place *p, const char *name, struct vec2 z,
+                      struct ratios *r)
+{
+    const struct layer fine = follow(p, z, 1e-11);
+
+    for (int i = 0; i < ASKED && fine.end == LAYER_LANDED; i++) {
+        const struct layer l = follow(p, z, pow(100.0, -2.0 - i));
+        if (l.end != LAYER_LANDED || l.fate == FATE_REST_ASYMPTOTIC)
+            continue;
+        compare(r, name, z, l.time, l.time_error, fine.time, fine.time_error);
+        compare(r, name, z, l.slip, l.slip_error, fine.slip, fine.slip_error);
+    }
+}
+
+/* Half of them within 100 of the error, where a bound that takes terms to fall
+ * as those of place or time alone has 160 to 200. */
+static void bars_of_any_law_hold_and_are_not_much_wider_than_the_error(
+    void **state)
+{
+    uint64_t seed = check_seed();
+    static struct ratios r;
+    static struct place p;
+    char name[DRAWN_NAME];
+    struct fault why;
+
+    (void) state;
+    for (size_t i = 0; i < LAWS_TRIED; i++) {
+        slope_scene(&p.s.scene, "spinodal", NULL, "0.34", steady_only);
+        if (!drawn_law(i, &seed, &p.s.scene) ||
+            !drawn_slope(&seed, &p.s.scene) ||
+            study_run(&p.s.study, &p.s.scene, NULL, &why) != STATUS_OK) {
+            scene_free(&p.s.scene);
+            continue;
+        }
+        assert_int_equal(slow_curve_init(&p.c, &p.s.study.slider, NULL), 0);
+        drawn_name(i, &p.s.scene, name);
+        const struct planar *plane = &p.s.study.slider.plane.system;
+        for (int k = 0; k < STATES_OF_LAW; k++) {
+            const struct vec2 from = { check_uniform(&seed, -10, 10),
+                                       check_uniform(&seed, -5, 5) };
+            const struct vec2 z = vec2_add(plane->origin, from);
+            if (box_holds(plane->domain, z))
+                try_state(&p, name, z, &r);
+        }
+        place_drop(&p);
+    }
+    qsort(r.of, r.count, sizeof *r.of, rising);
+    print_message("# %zu bars, half within %.3g of the error\n", r.count,
+                  r.of[r.count / 2]);
+    CHECK(r.count > 100 && r.of[r.count / 2] < 100.0, "%zu: %g", r.count,
+          r.of[r.count / 2]);
+}
+
 static void a_box_of_arrest_may_be_entered_before_landing(void **state)
 {
     struct place p;
@@ -274,6 +355,8 @@ int main(void)
         cmocka_unit_test(what_patches_are_sampled_with_lands),
         cmocka_unit_test(bars_grow_towards_the_separatrix),
         cmocka_unit_test(bars_hold_what_loose_steps_miss),
+        cmocka_unit_test(
+            bars_of_any_law_hold_and_are_not_much_wider_than_the_error),
         cmocka_unit_test(a_box_of_arrest_may_be_entered_before_landing),
         cmocka_unit_test(a_runaway_is_known_at_once),
         cmocka_unit_test(

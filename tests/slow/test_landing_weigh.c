@@ -23,8 +23,32 @@ static void check_close(double told, double expected)
           expected);
 }
 
-/* A step that misses nothing. */
+/* A step that misses nothing, and what one misses of a term that stands alone.
+ */
 static const struct landing_step exact = { .left = 1.0 };
+static const double alone = TOL_LAYER_MISSED * TOL_LAYER_FALL;
+
+/* Of an integral, whose term of order 4 is estimated by a tenth. */
+static void terms_that_fall_like_powers_miss_their_cube(void **state)
+{
+    (void) state;
+    for (double r = 0.01; r < 2.0; r *= 1.5) {
+        const double six = pow(r, 6.0);
+        const double size[LANDING_TERMS] = { six, six, r * six,
+                                             0.1 * six / r / r };
+        check_close(landing_missed(size, 0.0), TOL_LAYER_MISSED * r * r * r);
+    }
+}
+
+static void a_term_of_order_6_that_vanishes_says_nothing_of_their_fall(
+    void **state)
+{
+    const double size[LANDING_TERMS] = { 1e-9, 1e-9, 1e-7, 1e-4 };
+
+    (void) state;
+    check_close(landing_missed(size, 0.0), TOL_LAYER_MISSED * 1e-3);
+    check_close(landing_missed(size, 1e-6), TOL_LAYER_MISSED * 1e-2);
+}
 
 static void an_estimate_that_vanishes_is_outdone_by_the_others(void **state)
 {
@@ -33,8 +57,8 @@ static void an_estimate_that_vanishes_is_outdone_by_the_others(void **state)
         struct landing_step step[STEPS] = { exact, exact, exact };
         step[1].across[n] = 1e-9;
         const struct landing_bar bar = weigh(step);
-        check_close(bar.time, 1e-9 * 7.0);
-        check_close(bar.slip, 1e-9 * 3.0);
+        check_close(bar.time, alone * 1e-9 * 7.0);
+        check_close(bar.slip, alone * 1e-9 * 3.0);
     }
 }
 
@@ -50,7 +74,7 @@ static void what_is_late_for_being_aside_is_not_late(void **state)
     }
     CHECK(weigh(step).time <= 1e-24, "%g", weigh(step).time);
     step[2].time[0] = -6e-9;
-    check_close(weigh(step).time, 1e-9);
+    check_close(weigh(step).time, alone * 1e-9);
 }
 
 /* The last step leaves half of what is across, and takes it 2 longer. */
@@ -63,12 +87,15 @@ static void what_steps_make_of_a_miss_is_known_to_a_part(void **state)
     step[2].left = 0.5;
     step[2].time_gain = 2.0;
     check_close(weigh(step).time,
-                1e-9 * (2.0 + 3.5 + TOL_LAYER_BLUR * (2.0 + 3.5)));
+                alone * 1e-9 * (2.0 + 3.5 + TOL_LAYER_BLUR * (2.0 + 3.5)));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(terms_that_fall_like_powers_miss_their_cube),
+        cmocka_unit_test(
+            a_term_of_order_6_that_vanishes_says_nothing_of_their_fall),
         cmocka_unit_test(an_estimate_that_vanishes_is_outdone_by_the_others),
         cmocka_unit_test(what_is_late_for_being_aside_is_not_late),
         cmocka_unit_test(what_steps_make_of_a_miss_is_known_to_a_part),
