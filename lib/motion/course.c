@@ -81,6 +81,14 @@ bool course_rests(const struct course *c, const struct orbit *o,
            o->u[3 + BLOCK_SLIP] + left->slip < reach[1 + BLOCK_SLIP];
 }
 
+bool course_waits(const struct orbit *o)
+{
+    const double *reach = o->options.reach;
+
+    return !(reach[0] < TOL_RANGE) && isinf(reach[1 + BLOCK_SLIP]) &&
+           o->steps > 0 && o->du[0] == 0.0 && o->du[1] == 0.0;
+}
+
 /* A block that has risen from far below fades where others do. */
 static void set_floor(struct course *c, const struct orbit *o)
 {
@@ -100,7 +108,7 @@ static enum status run_orbit(struct course *c, struct orbit *o,
     enum status s = STATUS_OK;
     struct rest_left left;
 
-    while (s == STATUS_OK && o->end == ORBIT_RUNNING &&
+    while (s == STATUS_OK && o->end == ORBIT_RUNNING && !course_waits(o) &&
            !course_rests(c, o, &left)) {
         s = orbit_step(o);
         set_floor(c, o);

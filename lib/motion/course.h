@@ -33,6 +33,10 @@ void course_set(struct course *c, const struct transient_options *o, bool rest);
 bool course_rests(const struct course *c, const struct orbit *o,
                   struct rest_left *left);
 
+/* Whether v and psi stay as they are to all digits, for ever: nothing but time
+ * goes on, and no limit of the scene's is to come. */
+bool course_waits(const struct orbit *o);
+
 /* An orbit that gets stuck is kept as far as it goes. */
 MUST_CHECK enum status course_follow(struct course *c, double rtol,
                                      const struct monitor *monitor,

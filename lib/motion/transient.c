@@ -222,11 +222,13 @@ static bool is_stuck(const struct course *c, const struct orbit *o)
 /* Why an orbit is lost; whether another one would be, too, however exact. */
 static const char *why_lost(const struct orbit *o, bool *surely)
 {
-    *surely = o->end != ORBIT_RUNNING;
+    const bool is_late = o->end == ORBIT_REACHED || course_waits(o);
+
+    *surely = o->end != ORBIT_RUNNING || is_late;
     return o->end == ORBIT_LEFT_WINDOW || o->end == ORBIT_LEFT_DOMAIN
                ? "the orbit leaves the plane"
-           : o->end == ORBIT_REACHED ? "it takes longer than any number holds"
-                                     : "the orbit cannot be followed further";
+           : is_late ? "it takes longer than any number holds"
+                     : "the orbit cannot be followed further";
 }
 
 /* Whether it is settled: both orbits end in the same way, on the side of the

@@ -239,6 +239,26 @@ static void a_loose_run_that_fades_has_the_limit_of_a_fine_one(void **state)
     slope_free(&s);
 }
 
+/* Its psi moves by e^(-1/v): v settles within an instant, and time is all that
+ * goes on. */
+static void a_block_that_waits_for_ever_is_soon_told(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "dieterich", NULL, "0.34",
+               (const char *const[]){
+                   "products=[knees]", "law.theta=ln_psi", "law.psi_ss=inverse",
+                   "law.timescale=slip45", "law.kinetics=linear", NULL });
+    struct transient t = run(&s, 1e-3, 1e5, 0, 0);
+    assert_int_equal(t.sum.end, TRANSIENT_LOST);
+    assert_string_equal(t.reason, "it takes longer than any number holds");
+    CHECK(t.sum.field_evaluations < 100000, "%lld evaluations",
+          (long long) t.sum.field_evaluations);
+    transient_free(&t);
+    slope_free(&s);
+}
+
 static void a_start_at_a_node_goes_nowhere(void **state)
 {
     struct slope s;
@@ -392,6 +412,7 @@ int main(void)
         cmocka_unit_test(slow_orbits_are_followed_far),
         cmocka_unit_test(a_fading_run_is_followed_down_to_its_limit),
         cmocka_unit_test(a_loose_run_that_fades_has_the_limit_of_a_fine_one),
+        cmocka_unit_test(a_block_that_waits_for_ever_is_soon_told),
         cmocka_unit_test(a_start_at_a_node_goes_nowhere),
         cmocka_unit_test(samples_are_evenly_spaced_and_on_the_orbit),
         cmocka_unit_test(samples_of_a_leap_are_right),
