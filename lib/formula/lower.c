@@ -179,16 +179,16 @@ static struct linear plain_asinh(struct lowering *L, int argument)
 }
 
 /* sinh u0 + e^u0/2 (e^du - 1) - e^-u0/2 (e^-du - 1) */
-static struct linear plain_sinh(struct lowering *L, int argument)
+static struct linear sinh_of(struct lowering *L, const struct linear *u)
 {
     struct formula *f = L->s.f;
-    struct linear u = lower_plain(L, argument), w = { 0 };
+    struct linear w = { 0 };
     const int half = formula_of(f, FUNCTION_LN, formula_number(f, 2));
     struct linear out =
-        linear_constant(formula_of(f, FUNCTION_SINH, u.constant));
+        linear_constant(formula_of(f, FUNCTION_SINH, u->constant));
 
     for (int sign = 1; sign >= -1; sign -= 2) {
-        w = linear_times(&L->s, formula_number(f, sign), &u);
+        w = linear_times(&L->s, formula_number(f, sign), u);
         const int q = formula_less(f, w.constant, half);
         const struct linear part = linear_function(
             &L->s, STEP_GROWTH, &w,
@@ -285,11 +285,14 @@ static struct linear by_step(struct lowering *L, enum formula_function function,
 static struct linear plain_call(struct lowering *L, int i,
                                 const struct formula_node *n)
 {
+    struct linear u;
+
     switch (n->function) {
         case FUNCTION_LN:
             return lower_log(L, n->of[0]);
         case FUNCTION_SINH:
-            return plain_sinh(L, n->of[0]);
+            u = lower_plain(L, n->of[0]);
+            return sinh_of(L, &u);
         case FUNCTION_POWER:
             return plain_power(L, i, n);
         case FUNCTION_EXP:
@@ -302,7 +305,7 @@ static struct linear plain_call(struct lowering *L, int i,
         return plain_asinh(L, n->of[0]);
     if (!step_of[n->function])
         return linear_fail(&L->s, "lambert is for parameters only");
-    const struct linear u = factor(L, n->of[0]);
+    u = factor(L, n->of[0]);
     return by_step(L, n->function, &u);
 }
 
@@ -343,11 +346,13 @@ static struct linear make_whole(struct lowering *L, int i)
     const int p = whole_exponent(L, &n);
 
     if (n.kind == FORMULA_CALL && !step_of[n.function] && !p &&
-        n.function != FUNCTION_EXP)
+        n.function != FUNCTION_EXP && n.function != FUNCTION_SINH)
         return lower_plain(L, i);
     struct linear u = whole(L, n.of[0]);
     if (p)
         return linear_power(&L->s, &u, p);
+    if (n.kind == FORMULA_CALL && n.function == FUNCTION_SINH)
+        return sinh_of(L, &u);
     if (n.kind == FORMULA_CALL && n.function == FUNCTION_EXP)
         return grown(L, &u, formula_of(L->s.f, FUNCTION_EXP, u.constant));
     if (n.kind == FORMULA_CALL)
