@@ -29,8 +29,8 @@ def json_is_as_the_interface_says(room):
     expect(is_near(high['re'], -0.05 + root, 1e-14), high)
     kinds = [(m['saddle'], m['kind'], m['branch'], m['end'], m['to'])
              for m in found['manifolds']]
-    expect(kinds == [(0, 'stable', 0, 'edge', None),
-                     (0, 'stable', 1, 'edge', None),
+    expect(kinds == [(0, 'stable', 0, 'infinity', None),
+                     (0, 'stable', 1, 'infinity', None),
                      (0, 'unstable', 0, 'equilibrium', 2),
                      (0, 'unstable', 1, 'equilibrium', 0)], kinds)
 

@@ -13,6 +13,7 @@
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
 #include "plane_patch.h"
+#include "plane_rest.h"
 #include "plane_tolerance.h"
 #include "tolerance.h"
 
@@ -39,7 +40,7 @@ static enum status name_shares(struct plane_study *s)
     if (b->share == NULL || b->name == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < s->rests; i++)
-        if (s->rest[i].trap[0].size > 0.0)
+        if (plane_rest_attracts(&s->rest[i], false))
             b->name[n++] = s->rest[i].name;
     for (size_t i = 0; i < s->beyonds; i++)
         b->name[n++] = s->beyond[i].word;
@@ -131,7 +132,7 @@ static enum status check_rests(const struct plane_study *s, size_t *asked,
     for (size_t i = 0; i < s->listed && status == STATUS_OK; i++) {
         const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
         int8_t label = -1;
-        if (!(s->rest[i].trap[0].size > 0.0))
+        if (!plane_rest_attracts(&s->rest[i], false))
             continue;
         status = plane_basin_at(s, s->rest[i].z, true, &label);
         *asked += label >= 0;

@@ -11,6 +11,7 @@
 #include "escape.h"
 #include "plane_cycle.h"
 #include "plane_orbit.h"
+#include "plane_rest.h"
 #include "plane_tolerance.h"
 #include "room.h"
 #include "taylor_orbit.h"
@@ -39,17 +40,23 @@ static enum status look_beside(struct plane_study *s, struct vec2 z,
     return status ? status : plane_border_look_from(s, vec2_sub(z, d));
 }
 
+/* Within its trap, and as far out in that as a turn tells. */
+static struct vec2 inside(const struct plane_study *s,
+                          const struct plane_rest *r)
+{
+    const double far =
+        r->turn[0].corners ? r->turn[0].at[0].x : 0.1 * r->trap[0].size;
+
+    return vec2_add(r->z, (struct vec2){ far * s->scale.side.x, 0.0 });
+}
+
 enum status plane_border_look(struct plane_study *s)
 {
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
-        if (s->rest[i].trap[0].size > 0.0)
-            status = plane_border_look_from(
-                s, vec2_add(s->rest[i].z,
-                            (struct vec2){ 0.1 * s->rest[i].trap[0].size *
-                                               s->scale.side.x,
-                                           0.0 }));
+        if (plane_rest_attracts(&s->rest[i], false))
+            status = plane_border_look_from(s, inside(s, &s->rest[i]));
     for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
             status = look_beside(s, s->cycle[k].round.at[0], TOL_SEEN);
@@ -137,7 +144,7 @@ static size_t run_from(const struct plane_study *s, const struct curve *c,
     return first;
 }
 
-static enum status new_border(struct plane_study *s, size_t of,
+static enum status new_border(struct plane_study *s, size_t of, int way,
                               struct plane_border **out)
 {
     struct plane_basin *b = &s->basin;
@@ -147,14 +154,14 @@ static enum status new_border(struct plane_study *s, size_t of,
     if (status != STATUS_OK)
         return status;
     *out = &b->border[b->borders++];
-    **out = (struct plane_border){ .of = of };
+    **out = (struct plane_border){ .of = of, .way = way };
     for (int k = 0; k < 2; k++)
         (*out)->half[k].curve = CURVE_EMPTY(2);
     return STATUS_OK;
 }
 
-/* The runs of a curve from a piece on. */
-static enum status add_runs(struct plane_study *s, const struct curve *c,
+/* The runs of half k from a piece on. */
+static enum status add_runs(struct plane_study *s, const struct curve *c, int k,
                             size_t first, const struct moved *m)
 {
     struct plane_border *new;
@@ -164,7 +171,7 @@ static enum status add_runs(struct plane_study *s, const struct curve *c,
         const size_t last = run_from(s, c, i, m);
         if (last == i)
             continue;
-        status = new_border(s, m->of, &new);
+        status = new_border(s, m->of, k ? 1 : -1, &new);
         if (status == STATUS_OK)
             status = copy(c, i, last, m, &new->half[1]);
         i = last;
@@ -183,12 +190,12 @@ static enum status add_copy(struct plane_study *s,
     enum status status = STATUS_OK;
 
     if (last[0] > first || last[1] > first)
-        status = new_border(s, m->of, &new);
+        status = new_border(s, m->of, 1, &new);
     for (int k = 0; k < 2 && new &&status == STATUS_OK; k++)
         if (last[k] > first)
             status = copy(c[k], first, last[k], m, &new->half[k]);
     for (int k = 0; k < 2 && status == STATUS_OK; k++)
-        status = add_runs(s, c[k], last[k], m);
+        status = add_runs(s, c[k], k, last[k], m);
     return status;
 }
 

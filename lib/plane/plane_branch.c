@@ -236,13 +236,15 @@ static void look_for_trap(const struct plane_study *s,
     for (size_t i = 0; i < s->rests && h->end < 0; i++) {
         const struct trap_form *t = &s->rest[i].trap[backward];
         const double d = trap_form_distance(t, &s->scale, z);
-        if (!(t->size > 0.0 && d < t->size))
+        if (!plane_rest_traps(s, &s->rest[i], backward, z))
             continue;
         h->end = PLANE_END_EQUILIBRIUM;
         h->to = i;
         h->theta = 1.0;
-        h->beyond = 2.0 * d * fmax(s->scale.side.x, s->scale.side.y) *
-                    turns_of(&s->rest[i]);
+        h->beyond = !(d < t->size)
+                        ? HUGE_VAL
+                        : 2.0 * d * fmax(s->scale.side.x, s->scale.side.y) *
+                              turns_of(&s->rest[i]);
     }
 }
 
@@ -411,6 +413,7 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
     for (size_t i = 0; i < s->rests; i++)
         rests[i] = s->rest[i].z;
     f.half[0].end = f.half[1].end = -1;
+    o.max_steps *= 2; /* bands times regions grow as their square */
     o.follower = &follower;
     o.monitor = monitor;
     equilibrium_at(f.system, false, &e);

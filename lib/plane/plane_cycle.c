@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "plane_tolerance.h"
+#include "plane_turn.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"
 
@@ -52,27 +53,38 @@ void plane_cycle_divergence(const struct planar *sys, const struct curve *c,
     }
 }
 
-/* The same of a round from an absolute point; false where series are held back.
- */
+static void widen(struct box *b, struct vec2 z)
+{
+    b->lo = (struct vec2){ fmin(b->lo.x, z.x), fmin(b->lo.y, z.y) };
+    b->hi = (struct vec2){ fmax(b->hi.x, z.x), fmax(b->hi.y, z.y) };
+}
+
+/* The same of a round from an absolute point, and the box around the middles
+ * and the ends of its pieces; false where series are held back. */
 static bool divergence_round(const struct plane_study *s,
                              const struct winding *w, struct vec2 z,
-                             bool stable, double sum[2])
+                             bool stable, double sum[2], struct box *around)
 {
     const struct planar *sys = &s->system[!stable];
     struct taylor_orbit o = taylor_orbit_at(
         sys, vec2_sub(z, sys->origin), s->scale.side, 0.01 * TOL_RTOL_DEFAULT);
     struct winding round = { .count = 0 };
-    double theta = 1.0;
+    double theta = 1.0, at[CURVE_DIM_MAX];
     size_t turns = 0, before;
     bool follows = true;
 
     sum[0] = sum[1] = 0.0;
+    *around = (struct box){ z, z };
     while (turns < w->turns && follows) {
         follows = o.curve.count < TOL_EXPLICIT_STEPS &&
                   taylor_orbit_step(&o) == STATUS_OK;
         if (!follows)
             break;
         const size_t piece = o.curve.count - 1;
+        for (int k = 1; k <= 2; k++) {
+            curve_at(&o.curve, piece, 0.5 * k, at);
+            widen(around, vec2_add(sys->origin, (struct vec2){ at[0], at[1] }));
+        }
         before = round.count;
         (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);
         turns += piece > 0 && round.count > before;
@@ -106,16 +118,17 @@ static struct vec2 limit_of(const struct plane_study *s,
  * where that is of a spiral into an equilibrium.  True where series are held
  * back: what is so stiff attracts. */
 static bool attracts(const struct plane_study *s, const struct winding *w,
-                     bool stable)
+                     bool stable, struct box *around)
 {
     double beside[2], on[2];
 
-    if (!divergence_round(s, w, w->at[0], stable, beside))
+    if (!divergence_round(s, w, w->at[0], stable, beside, around))
         return true;
     if (!(beside[0] < -TOL_SAME * beside[1] &&
           w->round > 10.0 * fmax(w->gap, w->off) / -expm1(beside[0])))
         return false;
-    return !divergence_round(s, w, limit_of(s, w, beside[0]), stable, on) ||
+    return !divergence_round(s, w, limit_of(s, w, beside[0]), stable, on,
+                             around) ||
            (on[0] < -TOL_SAME * on[1] && on[0] < 0.75 * beside[0]);
 }
 
@@ -124,9 +137,15 @@ static bool attracts(const struct plane_study *s, const struct winding *w,
 enum status plane_cycle_add(struct plane_study *s, const struct winding *w,
                             bool stable, size_t *index)
 {
+    struct box around;
+    bool none;
+
     *index = plane_cycle_find(s, w, stable);
-    if (*index < s->cycles || !attracts(s, w, stable))
+    if (*index < s->cycles || !attracts(s, w, stable, &around))
         return STATUS_OK;
+    const enum status status = plane_turn_forbids(s, around, &none);
+    if (status != STATUS_OK || none)
+        return status;
     struct plane_cycle *more =
         realloc(s->cycle, (s->cycles + 1) * sizeof *more);
     if (more == NULL)

@@ -12,6 +12,7 @@
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
 #include "plane_rest.h"
+#include "plane_side.h"
 #include "plane_tolerance.h"
 
 /* ---- goals --------------------------------------------------------------- */
@@ -21,7 +22,7 @@ static size_t traps_before(const struct plane_study *s, size_t rest)
     size_t n = 0;
 
     for (size_t i = 0; i < rest; i++)
-        n += s->rest[i].trap[0].size > 0.0;
+        n += plane_rest_attracts(&s->rest[i], false);
     return n;
 }
 
@@ -57,7 +58,7 @@ static bool is_outside(const struct plane_study *s, int8_t label)
     size_t n = 0;
 
     for (size_t i = 0; i < s->rests; i++)
-        if (s->rest[i].trap[0].size > 0.0 && n++ == (size_t) label)
+        if (plane_rest_attracts(&s->rest[i], false) && n++ == (size_t) label)
             return i >= s->listed;
     if (label < 0 || (size_t) label < n + s->beyonds)
         return label >= 0;
@@ -137,7 +138,8 @@ struct labelling {
     struct patches *p;
     struct plane_study *s;
     bool *done, *seen; /* by region, of patches: asked once; and once more */
-    struct vec2 *at;   /* where the orbit began that told their goal */
+    enum plane_side *told; /* by region, of patches */
+    struct vec2 *at;       /* where the orbit began that told their goal */
     bool tiny;    /* the patch is so small that rounding makes closed orbits */
     int edges;    /* looked for in this window */
     size_t known; /* curves that are borders, when it began */
@@ -191,7 +193,27 @@ static enum status know_rest(struct plane_study *s, struct plane_goal *goal)
     const enum status status =
         plane_rest_add(s, (struct vec2){ b->limit[0], b->limit[1] }, &rest);
     if (status == STATUS_OK && rest < s->rests &&
-        s->rest[rest].trap[0].size > 0.0) {
+        plane_rest_attracts(&s->rest[rest], false)) {
+        goal->kind = PLANE_GOAL_REST;
+        goal->index = rest;
+    }
+    return status;
+}
+
+/* Of an orbit that came round and round and to no end: the equilibrium outside
+ * the window that Newton's steps find from there, if it is in its trap; not
+ * where there are so many that no orbit tells of more than its own strip. */
+static enum status know_trap(struct plane_study *s, struct plane_goal *goal)
+{
+    enum { FEW = 8 };
+    size_t rest;
+
+    if (goal->kind != PLANE_GOAL_NONE || goal->round.count == 0 ||
+        s->rests > s->listed + FEW)
+        return STATUS_OK;
+    const enum status status = plane_rest_add(s, goal->round.at[0], &rest);
+    if (status == STATUS_OK && rest < s->rests &&
+        plane_rest_traps(s, &s->rest[rest], false, goal->round.at[0])) {
         goal->kind = PLANE_GOAL_REST;
         goal->index = rest;
     }
@@ -207,13 +229,18 @@ static enum status take(struct labelling *l, struct plane_goal *goal)
     l->s->basin.steps += (int64_t) goal->steps;
     if (status == STATUS_OK && goal->kind == PLANE_GOAL_CYCLE && !l->tiny)
         status = plane_cycle_add(l->s, &goal->round, true, &goal->index);
-    if (goal->kind == PLANE_GOAL_CYCLE && goal->index == l->s->cycles) {
+    const bool none =
+        goal->kind == PLANE_GOAL_CYCLE && goal->index == l->s->cycles;
+    if (none) {
         goal->kind = PLANE_GOAL_NONE;
         goal->why = PLANE_UNKNOWN_CLOSED;
-        l->s->basin.neutral += !l->tiny;
     }
-    if (goal->kind == PLANE_GOAL_NONE)
+    if (status == STATUS_OK)
+        status = know_trap(l->s, goal);
+    if (goal->kind == PLANE_GOAL_NONE) {
         l->s->basin.unknown[goal->why] = true;
+        l->s->basin.neutral += none && !l->tiny;
+    }
     return status;
 }
 
@@ -240,55 +267,18 @@ static enum status ask_alone(void *ctx, struct vec2 z, struct plane_goal *goal)
 
 /* ---- patches ------------------------------------------------------------- */
 
-/* A patch, its area, and its largest region. */
-struct whole {
-    size_t patch, largest;
-    double area;
-};
-
-static int by_area(const void *a, const void *b)
-{
-    const struct whole *p = a, *q = b;
-
-    if (p->area != q->area)
-        return p->area > q->area ? -1 : 1;
-    return p->patch < q->patch ? -1 : p->patch > q->patch;
-}
-
-/* Those of this area first that are larger; their area.  In a thin band a curve
- * may end: what lies beside it there is not known, and its regions have no
- * area. */
-static double sort_patches(const struct patches *p, struct whole w[])
-{
-    double all = 0.0;
-
-    for (size_t b = 0, i = 0; i < p->r->count; i++) {
-        while (b + 1 < p->r->bands && p->r->band[b + 1].first <= i)
-            b++;
-        const double area = plane_patch_is_door(p->s, &p->r->band[b])
-                                ? fmax(p->area[i].value, 0.0)
-                                : 0.0;
-        struct whole *to = &w[plane_patch_of(p, i)];
-        w[i].patch = i;
-        if (to->area == 0.0 || area > p->area[to->largest].value)
-            to->largest = i;
-        to->area += area;
-        all += area;
-    }
-    qsort(w, p->r->count, sizeof *w, by_area);
-    return all;
-}
-
 /* By an orbit from its inside; of a small patch, where that comes to another
  * patch, whereto that goes. */
-static enum status find_goal(struct labelling *l, const struct whole *w,
+static enum status find_goal(struct labelling *l, const struct patch_whole *w,
                              bool small)
 {
     struct plane_goal *goal = &l->p->goal[w->patch];
     struct vec2 *z = &l->at[w->patch];
     enum status status = STATUS_OK;
 
-    if (plane_patch_place(l->p, w->largest, z))
+    l->seen[w->patch] = l->told[w->patch] == PLANE_SIDE_TOLD;
+    if (l->told[w->patch] == PLANE_SIDE_NONE &&
+        plane_patch_place(l->p, w->largest, z))
         status = follow(l, *z, !small, goal);
     l->done[w->patch] = true;
     return status;
@@ -388,11 +378,16 @@ static enum status look_over(struct labelling *l, double least,
 }
 
 /* Whether a region, which is `part` of the window, is of a patch that is not of
- * one goal, and large. */
-static bool is_open(const struct patches *p, size_t region, double part)
+ * one goal, and large; not where a manifold that winds on was given up in it,
+ * between whose turns no cell would tell one side from the other. */
+static bool is_open(const struct labelling *l, size_t region, double part)
 {
-    return part >= TOL_SEEN && p->area[region].value > 0.0 &&
-           p->goal[plane_patch_of(p, region)].kind == PLANE_GOAL_NONE;
+    const size_t patch = plane_patch_of(l->p, region);
+
+    return part >= TOL_SEEN && l->p->area[region].value > 0.0 &&
+           l->p->goal[patch].kind == PLANE_GOAL_NONE &&
+           !(l->told[patch] == PLANE_SIDE_DIFFER &&
+             l->s->basin.unknown[PLANE_UNKNOWN_BORDER]);
 }
 
 /* Those regions, with work by their areas. */
@@ -404,14 +399,14 @@ static enum status divide(struct labelling *l, double all,
     double left = 0.0;
 
     for (size_t i = 0; i < p->r->count; i++)
-        left += is_open(p, i, p->area[i].value / all) ? p->area[i].value : 0.0;
+        left += is_open(l, i, p->area[i].value / all) ? p->area[i].value : 0.0;
     l->s->basin.steps = 0;
     for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
         const double area = p->area[i].value;
         const int64_t done = l->s->basin.steps,
                       more = (int64_t) ((double) (TOL_PLANE_WORK - done) *
                                         area / left);
-        if (!is_open(p, i, area / all))
+        if (!is_open(l, i, area / all))
             continue;
         status = monitor_tell(monitor, "cells", i, p->r->count)
                      ? STATUS_STOPPED
@@ -423,8 +418,9 @@ static enum status divide(struct labelling *l, double all,
 }
 
 /* The patches from *next on with so large an area, as long as work goes. */
-static enum status find_goals_of(struct labelling *l, const struct whole w[],
-                                 size_t *next, double area, double least)
+static enum status find_goals_of(struct labelling *l,
+                                 const struct patch_whole w[], size_t *next,
+                                 double area, double least)
 {
     enum status status = STATUS_OK;
 
@@ -437,12 +433,16 @@ static enum status find_goals_of(struct labelling *l, const struct whole w[],
 
 /* The large ones first; those that are tiny once no border is new, if there was
  * work for the large ones. */
-static enum status find_goals(struct labelling *l, struct whole w[],
+static enum status find_goals(struct labelling *l, struct patch_whole w[],
                               const struct monitor *monitor)
 {
-    const double all = sort_patches(l->p, w), least = TOL_SEEN * all;
+    const double all = plane_patch_sort(l->p, w), least = TOL_SEEN * all;
     size_t next = 0;
-    enum status status = find_goals_of(l, w, &next, TOL_SAME * all, least);
+    enum status status =
+        plane_side_find(l->s, l->p, ask_alone, l, l->told, l->at);
+
+    if (status == STATUS_OK)
+        status = find_goals_of(l, w, &next, TOL_SAME * all, least);
     const bool all_large = has_work(l);
 
     l->s->basin.steps = 0;
@@ -469,15 +469,16 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
                             const struct monitor *monitor, bool *news)
 {
     const size_t n = p->r->count + 1;
-    struct whole *w = calloc(n, sizeof *w);
+    struct patch_whole *w = calloc(n, sizeof *w);
     struct labelling l = { .p = p,
                            .s = s,
                            .done = calloc(n, sizeof *l.done),
                            .seen = calloc(n, sizeof *l.seen),
+                           .told = calloc(n, sizeof *l.told),
                            .at = calloc(n, sizeof *l.at),
                            .known = borders_of(s) };
     enum status status =
-        w && l.done && l.seen && l.at ? STATUS_OK : STATUS_NO_MEMORY;
+        w && l.done && l.seen && l.told && l.at ? STATUS_OK : STATUS_NO_MEMORY;
 
     plane_patch_join(p);
     if (status == STATUS_OK)
@@ -494,6 +495,7 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
     free(w);
     free(l.done);
     free(l.seen);
+    free(l.told);
     free(l.at);
     return status;
 }

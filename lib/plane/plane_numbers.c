@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "plane_label.h"
+#include "plane_rest.h"
 #include "plane_results.h"
 #include "plane_tolerance.h"
 
@@ -34,7 +35,7 @@ static struct quantity share_beyond(const struct plane_study *s, bool rests,
     struct quantity sum = quantity_of(0.0, 0.0);
 
     for (size_t i = s->listed; i < s->rests && rests && !breaks; i++)
-        if (s->rest[i].trap[0].size > 0.0)
+        if (plane_rest_attracts(&s->rest[i], false))
             sum = sum_of(sum, s->rest[i].share);
     for (size_t i = 0; i < s->beyonds; i++)
         if (s->beyond[i].rests == rests && s->beyond[i].breaks == breaks)
@@ -63,7 +64,7 @@ static void fill_shares(struct plane_study *s)
 
     for (size_t i = 0; i < s->rests; i++) {
         const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
-        s->rest[i].share = s->rest[i].trap[0].size > 0.0
+        s->rest[i].share = plane_rest_attracts(&s->rest[i], false)
                                ? share_of(s, &goal, "no basins")
                                : quantity_none("it does not attract");
     }
@@ -129,7 +130,7 @@ void plane_numbers_fill(struct plane_study *s)
         .saddles = (int64_t) s->saddles,
     };
     for (size_t i = 0; i < s->listed; i++)
-        s->count.attractors += s->rest[i].trap[0].size > 0.0;
+        s->count.attractors += plane_rest_attracts(&s->rest[i], false);
     for (size_t k = 0; k < s->cycles; k++) {
         s->count.cycles++;
         s->count.attractors += s->cycle[k].type == PLANE_CYCLE_STABLE;

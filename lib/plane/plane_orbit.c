@@ -10,6 +10,7 @@
 #include "plane_beyond.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_rest.h"
 #include "plane_tolerance.h"
 #include "plane_weak.h"
 #include "taylor_orbit.h"
@@ -29,6 +30,9 @@ const char *const plane_unknown_texts[PLANE_UNKNOWNS] = {
     [PLANE_UNKNOWN_CELLS] =
         "cells lie beside others that go elsewhere, where no curve that parts "
         "them is known",
+    [PLANE_UNKNOWN_BORDER] =
+        "a stable manifold goes round more often than steps allow: beyond its "
+        "last turn both of its sides are one region",
 };
 
 /* ---- where it ends ------------------------------------------------------- */
@@ -38,8 +42,7 @@ static bool is_trapped(const struct plane_study *s, struct vec2 z,
                        bool backward, size_t *index)
 {
     for (size_t i = 0; i < s->rests; i++) {
-        const struct trap_form *t = &s->rest[i].trap[backward];
-        if (t->size > 0.0 && trap_form_distance(t, &s->scale, z) < t->size) {
+        if (plane_rest_traps(s, &s->rest[i], backward, z)) {
             *index = i;
             return true;
         }
@@ -469,6 +472,8 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                : winding_is_closed(&w.winding, &s->scale) ? PLANE_UNKNOWN_CLOSED
                                                           : PLANE_UNKNOWN_STEPS;
     out->steps = steps_of(&w);
+    if (out->kind == PLANE_GOAL_NONE)
+        out->round = w.winding;
     taylor_orbit_free(&w.series);
     orbit_free(&w.implicit);
     free(w.plan);

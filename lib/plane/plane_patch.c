@@ -1,6 +1,7 @@
 #include "plane_patch.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "plane_defined.h"
 #include "plane_tolerance.h"
@@ -200,4 +201,37 @@ bool plane_patch_place(const struct patches *p, size_t region, struct vec2 *z)
         *z = (struct vec2){ lo + off_middle(0.0, 1.0) * width, y };
     }
     return widest > 0.0;
+}
+
+/* ---- by size ------------------------------------------------------------- */
+
+static int by_area(const void *a, const void *b)
+{
+    const struct patch_whole *p = a, *q = b;
+
+    if (p->area != q->area)
+        return p->area > q->area ? -1 : 1;
+    return p->patch < q->patch ? -1 : p->patch > q->patch;
+}
+
+double plane_patch_sort(const struct patches *p, struct patch_whole w[])
+{
+    double all = 0.0;
+
+    for (size_t b = 0, i = 0; i < p->r->count; i++) {
+        while (b + 1 < p->r->bands && p->r->band[b + 1].first <= i)
+            b++;
+        const double area = plane_patch_is_door(p->s, &p->r->band[b]) &&
+                                    p->area[i].value > p->area[i].error
+                                ? p->area[i].value
+                                : 0.0;
+        struct patch_whole *to = &w[plane_patch_of(p, i)];
+        w[i].patch = i;
+        if (to->area == 0.0 || area > p->area[to->largest].value)
+            to->largest = i;
+        to->area += area;
+        all += area;
+    }
+    qsort(w, p->r->count, sizeof *w, by_area);
+    return all;
 }

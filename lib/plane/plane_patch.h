@@ -36,3 +36,15 @@ int64_t plane_patch_work(const struct patches *p, int rows);
 /* An absolute point inside a region, on the row where it is widest of some;
  * false: it is nowhere wide. */
 bool plane_patch_place(const struct patches *p, size_t region, struct vec2 *z);
+
+/* A patch, its area, and its largest region. */
+struct patch_whole {
+    size_t patch, largest;
+    double area;
+};
+
+/* Of all patches, the largest first: p->r->count of them, those that are no
+ * first regions without area; returns the area of all.  In a thin band a curve
+ * may end: what lies beside it there is not known, and its regions have no
+ * area, nor those whose bar it is within. */
+double plane_patch_sort(const struct patches *p, struct patch_whole w[]);

@@ -9,6 +9,7 @@
 #include "equilibria.h"
 #include "plane_beyond.h"
 #include "plane_tolerance.h"
+#include "plane_turn.h"
 #include "tolerance.h"
 
 const char *const plane_type_names[] = { "saddle",
@@ -60,6 +61,20 @@ static enum status fill(const struct plane_study *s,
                          ? (struct trap_form){ .z = r->z }
                          : trap_form_at(&r->system[i], &s->scale);
     return status;
+}
+
+bool plane_rest_attracts(const struct plane_rest *r, bool backward)
+{
+    return r->trap[backward].size > 0.0 || r->turn[backward].corners > 0;
+}
+
+bool plane_rest_traps(const struct plane_study *s, const struct plane_rest *r,
+                      bool backward, struct vec2 z)
+{
+    const struct trap_form *t = &r->trap[backward];
+
+    return (t->size > 0.0 && trap_form_distance(t, &s->scale, z) < t->size) ||
+           plane_turn_holds(s, r, backward, z);
 }
 
 /* Of a box, what is nearest to a place. */
@@ -138,6 +153,8 @@ enum status plane_rest_find(struct plane_study *s, struct fault *why)
 
     if (status == STATUS_OK)
         status = keep(s, found, why);
+    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
+        status = plane_turn_find(s, &s->rest[i]);
     free(found);
     return status;
 }
@@ -225,7 +242,7 @@ static enum status append(struct plane_study *s,
     for (size_t i = 0; i < s->rests; i++) /* they may have moved */
         s->rest[i].name = s->rest[i].word;
     keep_apart(s);
-    return STATUS_OK;
+    return plane_turn_find(s, &s->rest[s->rests - 1]);
 }
 
 enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
@@ -238,7 +255,8 @@ enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
     if (!settle(s, &z))
         return STATUS_OK;
     *index = known_at(s, z);
-    if (*index < s->rests || box_holds(plane_study_box(s), z))
+    if (*index < s->rests || box_holds(plane_study_box(s), z) ||
+        s->rests >= s->listed + PLANE_OUTSIDE)
         return STATUS_OK;
     const struct vec2 near = vec2_scale(TOL_BESIDE, s->scale.side);
     if (!is_simple(s, z, near)) {

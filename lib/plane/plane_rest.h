@@ -8,8 +8,18 @@
 MUST_CHECK enum status plane_rest_find(struct plane_study *s,
                                        struct fault *why);
 
+enum { PLANE_OUTSIDE = 64 };
+
+/* Whether there is a trap about it, in this direction of time. */
+bool plane_rest_attracts(const struct plane_rest *r, bool backward);
+
+/* Whether it holds an absolute point. */
+bool plane_rest_traps(const struct plane_study *s, const struct plane_rest *r,
+                      bool backward, struct vec2 z);
+
 /* The number of the equilibrium that Newton's steps from an absolute point
  * outside the window come to; one that is new is added where it is proved and
- * hyperbolic.  *index = s->rests: there is none.  STATUS_NO_MEMORY. */
+ * hyperbolic, up to PLANE_OUTSIDE of them: labels are bytes.  *index =
+ * s->rests: there is none.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_rest_add(struct plane_study *s, struct vec2 z,
                                       size_t *index);

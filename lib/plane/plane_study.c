@@ -15,6 +15,7 @@
 #include "plane_results.h"
 #include "plane_sensitivity.h"
 #include "plane_tolerance.h"
+#include "plane_turn.h"
 #include "scene_figure.h"
 #include "tolerance.h"
 
@@ -183,7 +184,7 @@ static size_t targets(const struct plane_study *s, bool backward,
     size_t n = 0;
 
     for (size_t i = 0; i < s->rests; i++)
-        if (s->rest[i].trap[backward].size > 0.0)
+        if (plane_rest_attracts(&s->rest[i], backward))
             out[n++] = vec2_sub(s->rest[i].z, s->system[0].origin);
     return n;
 }
@@ -355,8 +356,11 @@ void plane_study_free(struct plane_study *s)
     for (size_t i = 0; i < s->branches; i++)
         branch_free(&s->branch[i].curve);
     free(s->branch);
-    for (size_t i = 0; i < s->rests; i++)
+    for (size_t i = 0; i < s->rests; i++) {
+        plane_turn_free(&s->rest[i].turn[0]);
+        plane_turn_free(&s->rest[i].turn[1]);
         free(s->rest[i].plane);
+    }
     free(s->rest);
     free(s->lowered);
     free(s->plan);

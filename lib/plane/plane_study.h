@@ -33,6 +33,15 @@ extern const char *const plane_type_names[];
 
 enum { PLANE_NAME = 24 };
 
+/* A closed curve about an equilibrium, which orbits only cross inward:
+ * plane_turn.h.  In offsets from it, in sides of the window. */
+struct plane_turn {
+    struct vec2 *at;      /* owned: corners */
+    size_t corners, room; /* corners 0: none */
+    double off;           /* from straight between corners, at most */
+    struct box box;       /* around the corners */
+};
+
 struct plane_rest {
     char word[2 * PLANE_NAME + 48];
     const char *name;     /* word: its type and its number among these; outside
@@ -49,6 +58,7 @@ struct plane_rest {
         *plane; /* owned: about it, forward and backward in time */
     struct planar system[2];
     struct trap_form trap[2];
+    struct plane_turn turn[2];
     struct quantity share; /* of the window; with basins */
 };
 
@@ -118,6 +128,7 @@ enum plane_unknown {
     PLANE_UNKNOWN_STEPS,
     PLANE_UNKNOWN_WORK,
     PLANE_UNKNOWN_CELLS,
+    PLANE_UNKNOWN_BORDER,
     PLANE_UNKNOWNS
 };
 extern const char *const plane_unknown_texts[PLANE_UNKNOWNS];
@@ -161,6 +172,7 @@ struct plane_share {
 struct plane_border {
     struct branch half[2]; /* owned */
     size_t of; /* the first of its two branches; or s->branches + the cycle */
+    int way;   /* of a manifold: 1 where half[1] is of the second of the two */
     size_t first, last; /* its strands */
     bool divides;       /* different labels lie on its sides in the window */
 };

@@ -2,13 +2,19 @@
 
 #include <math.h>
 
+#include "plane_rest.h"
+
 /* The middle of number i of the equilibria and of the undecided boxes, and how
  * far from there it is; below 0: it is hyperbolic. */
 static double spot(const struct plane_study *s, size_t i, struct vec2 *z)
 {
     if (i < s->rests) {
         *z = s->rest[i].z;
-        return s->rest[i].type == PLANE_NONHYPERBOLIC ? 0.0 : -HUGE_VAL;
+        return s->rest[i].type == PLANE_NONHYPERBOLIC &&
+                       !plane_rest_attracts(&s->rest[i], false) &&
+                       !plane_rest_attracts(&s->rest[i], true)
+                   ? 0.0
+                   : -HUGE_VAL;
     }
     const struct plane_box *b = &s->undecided[i - s->rests];
     const struct vec2 lo = { plane_chart(s, 0, b->range[0][0]),
