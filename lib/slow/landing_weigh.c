@@ -31,31 +31,42 @@ static void weight_before(struct weight *w, double left, double gain)
     w->blur = left * w->blur + TOL_LAYER_BLUR * change;
 }
 
+/* fmax and fmin of numbers alone, without a call. */
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 /* The cube of the ratio in which terms fall, by one of order 7: one of order 6
  * that vanishes says nothing where those from order 4 on are large. */
-static double cube_of(double seventh, double sixth, double fourth)
+static inline double cube_of(double seventh, double sixth, double fourth)
 {
     const double r = seventh / sixth;
 
-    return fmin(r * r * r, seventh / fourth);
+    return smaller(r * r * r, seventh / fourth);
 }
 
 double landing_missed(const double size[LANDING_TERMS], double apart)
 {
-    const double sixth = fmax(fmax(size[0], size[1]), DBL_MIN);
-    const double fourth = fmax(size[LANDING_FOURTH], DBL_MIN);
+    const double sixth = larger(larger(size[0], size[1]), DBL_MIN);
+    const double fourth = larger(size[LANDING_FOURTH], DBL_MIN);
     const double square = TOL_LAYER_FOURTH * sixth / fourth;
     const double next =
-        fmax(cube_of(size[2], sixth, fourth), cube_of(apart, sixth, fourth));
+        larger(cube_of(size[2], sixth, fourth), cube_of(apart, sixth, fourth));
 
     return TOL_LAYER_MISSED *
-           fmin(fmax(square * sqrt(square), next), TOL_LAYER_FALL);
+           smaller(larger(square * sqrt(square), next), TOL_LAYER_FALL);
 }
 
 /* What a step misses of one thing and of what t makes of another, by the terms
  * of both. */
-static double missed_of(const double of[], const double across[],
-                        const struct weight *t)
+static inline double missed_of(const double of[], const double across[],
+                               const struct weight *t)
 {
     const double apart =
         fabs(of[0] - of[1]) + fabs(t->value * (across[0] - across[1]));
@@ -64,8 +75,8 @@ static double missed_of(const double of[], const double across[],
     for (int n = 0; n < LANDING_TERMS; n++)
         size[n] = fabs(of[n]) + fabs(t->value * across[n]);
     for (int n = 0; n < EXPLICIT8_TERMS; n++)
-        most = fmax(most, fabs(of[n] + t->value * across[n]) +
-                              t->blur * fabs(across[n]));
+        most = larger(most, fabs(of[n] + t->value * across[n]) +
+                                t->blur * fabs(across[n]));
     return landing_missed(size, apart) * most;
 }
 
