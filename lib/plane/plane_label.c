@@ -431,8 +431,7 @@ static enum status find_goals_of(struct labelling *l,
     return status;
 }
 
-/* The large ones first; those that are tiny once no border is new, if there was
- * work for the large ones. */
+/* The large ones first; the tiny ones if no border is new and work is left. */
 static enum status find_goals(struct labelling *l, struct patch_whole w[],
                               const struct monitor *monitor)
 {
