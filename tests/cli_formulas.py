@@ -250,7 +250,16 @@ def names_of_a_law_s_own_are_set_swept_exported_and_recorded(room):
                      '--set', 'sweep.values=[-1, 2]'), 2, 'of the sign')
 
 
+def a_law_without_a_slope_at_its_steady_state_is_no_node(room):
+    law = ['--set', 'law={theta: ln(psi), psi_ss: 1/v, '
+           'rate: "1 - v*psi + 1e-4*ln(v)^n"}', '--set', 'material.n=3']
+    for words in (['knees'], ['push', '--v', '1', '--psi', '1']):
+        refused(room.run(*words, *law, '--alpha', '0.38'), 3,
+                'no slope at its steady state v = 0.113911, psi = 8.77878')
+
+
 run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
+           a_law_without_a_slope_at_its_steady_state_is_no_node,
            json_is_as_the_interface_says, shares_are_halves,
            where_others_may_be_is_told,
            shares_beside_what_is_undecided_are_lower_bounds,

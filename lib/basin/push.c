@@ -59,6 +59,9 @@ enum status push_init(struct push *p, const struct scene *scene,
     if (status != STATUS_OK)
         return status;
     slider_init(&p->slider, &scene->law, &scene->material, scene->tan_alpha);
+    status = slider_check(&p->slider, why);
+    if (status != STATUS_OK)
+        return status;
     const char *none = slider_no_manifolds(&p->slider);
     if (monitor_tell(monitor, "steady states", 0, 0))
         status = STATUS_STOPPED;

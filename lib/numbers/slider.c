@@ -4,6 +4,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 
 #include "numbers_tolerance.h"
 #include "place.h"
@@ -105,6 +106,21 @@ void slider_init_saddle(struct slider *s, const struct law *law,
 {
     block_init(&s->block, law, m, tan_alpha);
     init(s, false);
+}
+
+enum status slider_check(const struct slider *s, struct fault *why)
+{
+    for (size_t i = 0; i < s->plane.equilibria; i++) {
+        const double *scaled = s->plane.equilibrium[i].scaled;
+        if (!isnan(scaled[0]) && !isnan(scaled[1]))
+            continue;
+        snprintf(why->text, sizeof why->text,
+                 "the law has no slope at its steady state v = %g, psi = %g: a "
+                 "formula has no real value there",
+                 s->steady[i].v.value, s->steady[i].psi.value);
+        return STATUS_NOT_HYPERBOLIC;
+    }
+    return STATUS_OK;
 }
 
 bool slider_has_manifolds(const struct slider *s)

@@ -30,6 +30,11 @@ void slider_init(struct slider *s, const struct law *law,
 void slider_init_saddle(struct slider *s, const struct law *law,
                         const struct material *m, long double tan_alpha);
 
+/* STATUS_NOT_HYPERBOLIC, with *why, where the law has no derivative at a steady
+ * state: a typed formula that has no real value beside it, as ln(v)^n with a
+ * parameter n at v < 1. */
+MUST_CHECK enum status slider_check(const struct slider *s, struct fault *why);
+
 /* The index of the saddle, of which friction has at most one; -1: none. */
 static inline int slider_saddle(const struct slider *s)
 {

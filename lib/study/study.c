@@ -24,14 +24,14 @@ static enum status run_steady(struct study *s, const struct monitor *monitor,
 {
     const struct scene *c = s->scene;
 
-    (void) monitor, (void) why;
+    (void) monitor;
     (s->saddle_alone ? slider_init_saddle : slider_init)(
         &s->slider, &c->law, &c->material, c->tan_alpha);
     const int saddle = slider_saddle(&s->slider);
     s->saddle_numbers = saddle >= 0 ? numbers_saddle(&s->slider.steady[saddle])
                                     : numbers_no_saddle();
     s->cost[STAGE_STEADY].field_evaluations = s->slider.plane.equilibria + 1;
-    return STATUS_OK;
+    return slider_check(&s->slider, why);
 }
 
 static enum status run_folds(struct study *s, const struct monitor *monitor,
