@@ -67,12 +67,12 @@ enum exit_code command_laws(const struct options *o)
     }
     list = o->json ? json_array() : NULL;
     for (size_t i = 0; (law = law_preset_at(i)) != NULL; i++) {
-        if (list)
+        if (o->json)
             json_array_append_new(list, law_json(law));
         else
             print_law(law);
     }
-    if (list)
+    if (o->json)
         return json_print(list) ? EXIT_DONE : command_unwritten();
     printf("\nmu = a asinh((v/2) exp((mu_star + b theta)/a))   --friction "
            "asinh (default), (4a)\n"
