@@ -22,11 +22,6 @@ static double dot(struct vec2 u, struct vec2 v)
     return u.x * v.x + u.y * v.y;
 }
 
-static double cross(struct vec2 u, struct vec2 v)
-{
-    return u.x * v.y - u.y * v.x;
-}
-
 static bool inside(struct vec2 u)
 {
     return u.x >= 0.0 && u.x <= 1.0 && u.y >= 0.0 && u.y <= 1.0;
@@ -49,7 +44,7 @@ static bool cubic_between(const struct station *a, const struct station *b,
     c->length2 = dot(c->chord, c->chord);
     for (int i = 0; i < 2; i++) {
         const double ahead = dot(c->chord, end[i]->tangent);
-        c->slope[i] = cross(c->chord, end[i]->tangent) / ahead;
+        c->slope[i] = vec2_cross(c->chord, end[i]->tangent) / ahead;
         if (!(ahead > 0.0 && fabs(c->slope[i]) <= steepest))
             return false;
     }
@@ -197,7 +192,7 @@ static bool passes(const struct trace *t, const struct station *a,
     struct station at = { .at = u };
     struct cubic unused;
 
-    if (!(fabs(cross(forward, d)) <= near && ahead >= -near &&
+    if (!(fabs(vec2_cross(forward, d)) <= near && ahead >= -near &&
           ahead <= length + near))
         return false;
     if (vec2_length(d) <= TOL_WITHIN ||

@@ -10,6 +10,11 @@ struct vec2 vec2_spread(double shift, double t)
     return (struct vec2){ x - floor(x), y - floor(y) };
 }
 
+double vec2_cross(struct vec2 u, struct vec2 v)
+{
+    return u.x * v.y - u.y * v.x;
+}
+
 double vec2_length(struct vec2 v)
 {
     return hypot(v.x, v.y);

@@ -64,6 +64,9 @@ struct vec2 vec2_spread(double shift, double t);
 /* Euclidean length, without overflow. */
 double vec2_length(struct vec2 v);
 
+/* > 0 where v is to the left of u. */
+double vec2_cross(struct vec2 u, struct vec2 v);
+
 /* det(A), with relative error at most 2 units of roundoff barring
  * under/overflow: Kahan's algorithm, bound from Jeannerod, Louvet, Muller,
  * Math. Comp. 82 (2013) 2245-2264. */

@@ -2,10 +2,9 @@
 
 #include <stdlib.h>
 
-enum {
-    SIDES = 2
-}; /* left and right of a manifold, from the end of its branch
-      0 to that of branch 1 */
+/* Left and right of a manifold, from the end of its branch 0 to that of branch
+ * 1. */
+enum { SIDES = 2 };
 
 /* Whereto the sides of all manifolds lead, by their first branches, and which
  * border a strand is of. */
@@ -53,7 +52,7 @@ static enum status find_sides(const struct plane_study *s,
             status == STATUS_OK) {
             const struct vec2 along = start_of(&b[1]),
                               out = start_of(&b[2 + k]);
-            const bool right = along.x * out.y - along.y * out.x < 0.0;
+            const bool right = vec2_cross(along, out) < 0.0;
             status = ask(ctx, next_to(s, &b[2 + k]), &goal[right]);
             if (goal[right].kind != PLANE_GOAL_REST &&
                 goal[right].kind != PLANE_GOAL_CYCLE)

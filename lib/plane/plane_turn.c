@@ -19,11 +19,6 @@ void plane_turn_free(struct plane_turn *t)
 
 /* ---- places -------------------------------------------------------------- */
 
-static double cross(struct vec2 u, struct vec2 w)
-{
-    return u.x * w.y - u.y * w.x;
-}
-
 /* From u to the straight line from a to b. */
 static double distance(struct vec2 a, struct vec2 b, struct vec2 u)
 {
@@ -49,7 +44,7 @@ static bool is_inside(const struct plane_turn *t, struct vec2 u, bool on)
         const struct vec2 a = t->at[k], b = t->at[i];
         near = near || distance(a, b, u) <= t->off;
         if ((a.y > u.y) != (b.y > u.y) &&
-            (cross(vec2_sub(b, a), vec2_sub(u, a)) > 0.0) == (b.y > a.y))
+            (vec2_cross(vec2_sub(b, a), vec2_sub(u, a)) > 0.0) == (b.y > a.y))
             inside = !inside;
     }
     return near ? on : inside;
@@ -254,7 +249,7 @@ static double area_of(const struct plane_turn *t)
     double sum = 0.0;
 
     for (size_t i = 0, k = t->corners - 1; i < t->corners; k = i++)
-        sum += cross(t->at[k], t->at[i]);
+        sum += vec2_cross(t->at[k], t->at[i]);
     return sum;
 }
 
