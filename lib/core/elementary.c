@@ -43,11 +43,7 @@ static int exp_split(double x, double low, double of[2])
     const double magic = 0x1.8p52, shifted = x * EXP_UNIT + magic;
     const double n = shifted - magic;
     const double r = (x - n * EXP_HIGH) - n * EXP_LOW + low;
-    const double p =
-        r +
-        r * r *
-            (1.0 / 2 + r * (1.0 / 6 + r * (1.0 / 24 +
-                                           r * (1.0 / 120 + r * (1.0 / 720)))));
+    const double p = EXP_REST(r);
     const int k = (int) n, i = k & (EXP_STEPS - 1);
 
     of[0] = exp_table[i][0];
@@ -124,16 +120,7 @@ static double log_split(double x, double rest, double *low)
     const double r = a + b, lost = (a - r) + b;
     const double first = k * LN2_HIGH + ln_table[i].high; /* exact */
     const double sum = first + r;
-    const double series =
-        r * r *
-        (-1.0 / 2 +
-         r * (1.0 / 3 +
-              r * (-1.0 / 4 +
-                   r * (1.0 / 5 +
-                        r * (-1.0 / 6 +
-                             r * (1.0 / 7 +
-                                  r * (-1.0 / 8 +
-                                       r * (1.0 / 9 + r * (-1.0 / 10)))))))));
+    const double series = LN_REST(r);
 
     *low = (first - sum) + r +
            (lost + rest / x + k * LN2_LOW + ln_table[i].low) + series;

@@ -58,11 +58,7 @@ static inline jet_pair each_exp_split(jet_pair x, jet_pair of[2])
     const double magic = 0x1.8p52;
     const jet_pair shifted = x * EXP_UNIT + magic, n = shifted - magic;
     const jet_pair r = (x - n * EXP_HIGH) - n * EXP_LOW;
-    const jet_pair p =
-        r +
-        r * r *
-            (1.0 / 2 + r * (1.0 / 6 + r * (1.0 / 24 +
-                                           r * (1.0 / 120 + r * (1.0 / 720)))));
+    const jet_pair p = EXP_REST(r);
     const each_bits k = (each_bits) shifted, i = k & (EXP_STEPS - 1);
 
 #define ROOT(l) exp_table[i[l]][0]
@@ -135,16 +131,7 @@ static inline jet_pair each_log_sum(jet_pair x, jet_pair rest)
     const jet_pair a = upper * c - 1.0, b = (part - upper) * c;
     const jet_pair r = a + b, lost = (a - r) + b;
     const jet_pair first = k * LN2_HIGH + high, sum = first + r;
-    const jet_pair series =
-        r * r *
-        (-1.0 / 2 +
-         r * (1.0 / 3 +
-              r * (-1.0 / 4 +
-                   r * (1.0 / 5 +
-                        r * (-1.0 / 6 +
-                             r * (1.0 / 7 +
-                                  r * (-1.0 / 8 +
-                                       r * (1.0 / 9 + r * (-1.0 / 10)))))))));
+    const jet_pair series = LN_REST(r);
 
     return sum +
            ((first - sum) + r + (lost + rest / x + k * LN2_LOW + low) + series);

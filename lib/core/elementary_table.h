@@ -1,5 +1,6 @@
 /*
- * elementary_table.h -- the tables of elementary.c, and how far they reach.
+ * elementary_table.h -- the tables of elementary.c, how far they reach, and the
+ * series beyond them, of one number or of lanes.
  */
 #pragma once
 
@@ -9,6 +10,13 @@
 #define EXP_HIGH  0x1.62e42fefap-6 /* ln 2/EXP_STEPS, 36 bits */
 #define EXP_LOW   0x1.cf79abc9e3b3ap-45
 #define EXP_UNIT  0x1.71547652b82fep+5 /* EXP_STEPS/ln 2 */
+
+/* e^r - 1 */
+#define EXP_REST(r)                                                            \
+    (r +                                                                       \
+     r * r *                                                                   \
+         (1.0 / 2 +                                                            \
+          r * (1.0 / 6 + r * (1.0 / 24 + r * (1.0 / 120 + r * (1.0 / 720))))))
 
 /* 2^(i/EXP_STEPS) as a double, and by how much of itself that is too small */
 static const double exp_table[EXP_STEPS][2] = {
@@ -61,6 +69,18 @@ static const double expm1_term[EXPM1_TERMS] = {
 #define LN_LOWEST 0x3fe6000000000000 /* 11/16, where the first bin begins */
 #define LN2_HIGH  0x1.62e42fefa38p-1 /* 42 bits */
 #define LN2_LOW   0x1.ef35793c7673p-45
+
+/* ln(1 + r) - r */
+#define LN_REST(r)                                                             \
+    (r * r *                                                                   \
+     (-1.0 / 2 +                                                               \
+      r * (1.0 / 3 +                                                           \
+           r * (-1.0 / 4 +                                                     \
+                r * (1.0 / 5 +                                                 \
+                     r * (-1.0 / 6 +                                           \
+                          r * (1.0 / 7 +                                       \
+                               r * (-1.0 / 8 +                                 \
+                                    r * (1.0 / 9 + r * (-1.0 / 10))))))))))
 
 /* 1/c of a c within the bin, a multiple of 1/512; ln c in multiples of 2^-42
  * and the rest; 1 and 0 in the two bins that meet at 1. */
