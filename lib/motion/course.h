@@ -33,8 +33,8 @@ void course_set(struct course *c, const struct transient_options *o, bool rest);
 bool course_rests(const struct course *c, const struct orbit *o,
                   struct rest_left *left);
 
-/* Whether v and psi stay as they are to all digits, for ever: nothing but time
- * goes on, and no limit of the scene's is to come. */
+/* Whether v and psi stay as they are to all digits, for ever: only time and
+ * slip go on, and no limit of the scene's is to come. */
 bool course_waits(const struct orbit *o);
 
 /* An orbit that gets stuck is kept as far as it goes. */
