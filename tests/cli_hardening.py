@@ -165,11 +165,12 @@ def a_reader_that_goes_away_costs_no_storm(room):
 
 
 def long_run(room, command, stage):
-    """Started, and known to be in this stage."""
+    """Started, and known to be in this stage; by nohup, too, it hears all."""
     job = subprocess.Popen(
         [room.slipway, *command, '--progress', 'json', '--quiet'],
         cwd=room.folder, text=True, stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, env=room.environment())
+        stderr=subprocess.PIPE, env=room.environment(),
+        preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
     while json.loads(job.stderr.readline())['stage'] != stage:
         pass
     return job
