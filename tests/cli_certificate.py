@@ -292,10 +292,10 @@ def a_law_of_formulas_has_one(room):
 
 
 def whole_powers_of_either_sign_have_one(room):
-    for n in (2, 3):
-        room.write('power.yaml', f'law: {{mu: mu_star + a*ln(v) + k*ln(v)^{n} + b*ln(psi), '
+    for n, exponent in ((2, '2'), (3, 'n')):
+        room.write('power.yaml', f'law: {{mu: mu_star + a*ln(v) + k*ln(v)^{exponent} + b*ln(psi), '
                    'psi_ss: 1/v, rate: 1 - v*psi}\nslope: {tan_alpha: 0.4}\n'
-                   'material: {mu_star: 0.35, a: 0.01, b: 0.02, k: 1e-5}\n')
+                   f'material: {{mu_star: 0.35, a: 0.01, b: 0.02, k: 1e-5, n: {n}}}\n')
         found = made(room, f'power{n}.json', 'knees', 'power.yaml')
         expect(not rejected(found) and ('psi_at_v0' in found['numbers']) == (n == 3), found)
         found['law']['formulas']['mu'] = found['law']['formulas']['mu'].replace('^', '^-')

@@ -250,15 +250,43 @@ def names_of_a_law_s_own_are_set_swept_exported_and_recorded(room):
                      '--set', 'sweep.values=[-1, 2]'), 2, 'of the sign')
 
 
+CUBE = '''law: {theta: ln(psi), psi_ss: 1/v, T: 1/v,
+      mu: mu_star + a*ln(v) + b*theta + q*ln(v)^WHICH + q*(ln(v)/8)^(2*n - 1)}
+material: {n: 3, q: 1e-6}
+slope: {alpha: 0.4}
+'''
+
+
+def whole_parameters_are_exponents_of_what_is_negative(room):
+    def numbers(*words):
+        found = room.json('knees', *words)
+        del found['cost']
+        return found
+    room.write('n.yaml', CUBE.replace('WHICH', 'n'))
+    room.write('3.yaml', CUBE.replace('WHICH', '3').replace('2*n - 1', '5'))
+    expect(numbers('n.yaml')['saddle']['v']['value'] < 1, 'v')
+    expect(numbers('n.yaml') == numbers('3.yaml'), 'others')
+    for n in (-2, 0, 1, 4):
+        room.write('m.yaml', CUBE.replace('WHICH', f'({n})').replace('2*n - 1', f'{2*n - 1}'))
+        expect(numbers('m.yaml') == numbers('n.yaml', '--set', f'material.n={n}'), n)
+    swept = room.json('sweep', 'n.yaml', '--set', 'sweep={key: material.n, values: [1, 2, 2.5, 3]}')
+    psi = swept['numbers']['saddle_psi']
+    for i, n in enumerate((1, 2, 2.5, 3)):
+        one = numbers('n.yaml', '--set', f'material.n={n}')
+        here = one.get('saddle', {}).get('psi', {}).get('value')
+        expect(psi['value'][i] == here and (here is None) == (n == 2.5), n, psi, one)
+
+
 def a_law_without_a_slope_at_its_steady_state_is_no_node(room):
     law = ['--set', 'law={theta: ln(psi), psi_ss: 1/v, '
-           'rate: "1 - v*psi + 1e-4*ln(v)^n"}', '--set', 'material.n=3']
+           'rate: "1 - v*psi + 1e-4*ln(v)^n"}', '--set', 'material.n=2.5']
     for words in (['knees'], ['push', '--v', '1', '--psi', '1']):
         refused(room.run(*words, *law, '--alpha', '0.38'), 3,
                 'no slope at its steady state v = 0.113911, psi = 8.77878')
 
 
-run_cases([names_of_a_law_s_own_are_set_swept_exported_and_recorded,
+run_cases([whole_parameters_are_exponents_of_what_is_negative,
+           names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            a_law_without_a_slope_at_its_steady_state_is_no_node,
            json_is_as_the_interface_says, shares_are_halves,
            where_others_may_be_is_told,

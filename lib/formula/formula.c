@@ -3,6 +3,8 @@
 #include <string.h>
 #include <strings.h>
 
+enum { FUEL = 60 }; /* sums and products that a search takes apart */
+
 /* ---- nodes --------------------------------------------------------------- */
 
 static bool is_same(const struct formula_node *a, const struct formula_node *b)
@@ -125,6 +127,44 @@ bool formula_is(const struct formula *f, int u, double number)
     return is_number(f, u) && found >= number && found <= number;
 }
 
+void formula_know(struct formula *f, int leaf, formula_real value)
+{
+    f->node[leaf].known = true;
+    f->node[leaf].number = value;
+}
+
+/* Of numbers, known leaves and their sums, products and quotients. */
+static bool value_of(struct formula *f, int u, int *fuel, formula_real *value)
+{
+    struct formula_node *n = &f->node[u];
+    formula_real a, b;
+
+    if (n->kind == FORMULA_NUMBER || n->kind == FORMULA_LEAF) {
+        n->exponent = n->kind == FORMULA_LEAF;
+        *value = n->number;
+        return n->kind == FORMULA_NUMBER || n->known;
+    }
+    if (n->kind == FORMULA_CALL || --*fuel < 0 ||
+        !value_of(f, n->of[0], fuel, &a) || !value_of(f, n->of[1], fuel, &b))
+        return false;
+    *value = n->kind == FORMULA_SUM     ? a + b
+             : n->kind == FORMULA_TIMES ? a * b
+                                        : a / b;
+    return true;
+}
+
+bool formula_whole(struct formula *f, int u, int *p)
+{
+    formula_real value;
+    int fuel = FUEL;
+
+    if (!value_of(f, u, &fuel, &value) ||
+        !(value > -FORMULA_WHOLE && value < FORMULA_WHOLE))
+        return false;
+    *p = (int) value;
+    return *p >= value && *p <= value;
+}
+
 formula_real formula_factor(const struct formula *f, int u, int *rest)
 {
     const struct formula_node *n = &f->node[u];
@@ -193,7 +233,7 @@ static bool meet(struct formula *f, int u, int w, int *fuel, int *out)
 
 int formula_sum(struct formula *f, int u, int w)
 {
-    int fuel = 60, out;
+    int fuel = FUEL, out;
 
     if (formula_is(f, u, 0.0))
         return w;
@@ -386,14 +426,16 @@ bool formula_take_out(struct formula *f, int u, int x, int *out)
 {
     const struct formula_node n = f->node[u];
     int part[2] = { n.of[0], n.of[1] };
+    formula_real exponent;
+    int fuel = FUEL;
 
     *out = formula_number(f, 1);
     if (u == x)
         return true;
     if (n.kind == FORMULA_CALL && n.function == FUNCTION_POWER &&
-        n.of[0] == x && f->node[n.of[1]].kind == FORMULA_NUMBER &&
-        f->node[n.of[1]].number >= 1) {
-        part[1] = formula_number(f, f->node[n.of[1]].number - 1);
+        n.of[0] == x && value_of(f, n.of[1], &fuel, &exponent) &&
+        exponent >= 1) {
+        part[1] = formula_less(f, n.of[1], *out);
         *out = formula_is(f, part[1], 0.0) ? formula_number(f, 1)
                : formula_is(f, part[1], 1.0)
                    ? x

@@ -23,7 +23,12 @@
 
 __extension__ typedef __float128 formula_real;
 
-enum { FORMULA_NODES = 2048, FORMULA_DEFINITIONS = 64, FORMULA_NAME = 32 };
+enum {
+    FORMULA_NODES = 2048,
+    FORMULA_DEFINITIONS = 64,
+    FORMULA_NAME = 32,
+    FORMULA_WHOLE = 10000 /* whole exponents below it are products */
+};
 
 enum formula_kind {
     FORMULA_NUMBER,
@@ -48,12 +53,15 @@ struct formula_node {
     enum formula_leaf leaf;
     enum formula_function function;
     int of[FUNCTION_ARGUMENTS], arguments;
-    formula_real number;
+    formula_real number;     /* of a leaf, its value where that is known */
     char name[FORMULA_NAME]; /* of a leaf; of others empty until named */
     bool moves;              /* depends on a state */
     bool positive;           /* > 0 (>= 0 without states) by its form */
     bool natural;            /* positive and rather a product than a sum: its
                                 logarithm is the simpler of the two */
+    bool known;              /* of a leaf */
+    bool exponent; /* of a leaf: a graph of another value may have other nodes,
+                      see formula_whole */
 };
 
 struct formula {
@@ -84,6 +92,11 @@ int formula_of(struct formula *f, enum formula_function function, int u);
 
 /* Whether it is this number. */
 bool formula_is(const struct formula *f, int u, double number);
+/* Says what a leaf of no state is. */
+void formula_know(struct formula *f, int leaf, formula_real value);
+/* Whether u, of numbers and known leaves, is a whole number |p| <
+ * FORMULA_WHOLE: u^p of a whole one is a product for any u. */
+bool formula_whole(struct formula *f, int u, int *p);
 /* The number c >= 0 or < 0 and the rest of u = c rest. */
 formula_real formula_factor(const struct formula *f, int u, int *rest);
 

@@ -234,7 +234,7 @@ static struct linear factor(struct lowering *L, int i)
                : u;
 }
 
-/* 0: it is no such power. */
+/* By the parser a number; 0: it is no such power. */
 static int whole_exponent(const struct lowering *L,
                           const struct formula_node *n)
 {
@@ -242,7 +242,8 @@ static int whole_exponent(const struct lowering *L,
         L->s.f->node[n->of[1]].kind != FORMULA_NUMBER)
         return 0;
     const formula_real p = L->s.f->node[n->of[1]].number;
-    return p > 1 && p < 1000 && (formula_real) (int) p >= p ? (int) p : 0;
+    return p > 1 && p < FORMULA_WHOLE && (formula_real) (int) p >= p ? (int) p
+                                                                     : 0;
 }
 
 static struct linear plain_power(struct lowering *L, int i,

@@ -327,12 +327,18 @@ static int read_atom(struct reader *r)
     return blame_letter(r, "a number, a name or (");
 }
 
-/* An exponent that changes makes it exp(w ln u). */
+/* An exponent that changes makes it exp(w ln u); a whole one of what may be < 0
+ * is a number. */
 static int power(struct reader *r, int u, int w)
 {
     struct formula *f = r->f;
-    const struct formula_node *n = &f->node[w];
+    int p;
 
+    if (!f->node[u].positive && formula_whole(f, w, &p))
+        w = formula_number(f, p);
+    const struct formula_node *n = &f->node[w];
+    if (formula_is(f, w, 0.0))
+        return formula_number(f, 1);
     if (n->kind == FORMULA_NUMBER && n->number < 0 && !f->node[u].positive)
         return formula_over(f, formula_number(f, 1),
                             power(r, u, formula_number(f, -n->number)));

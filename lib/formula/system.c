@@ -67,14 +67,21 @@ static enum status check_name(const struct formula_system *s, const char *kind,
 
 /* ---- states and parameters ----------------------------------------------- */
 
-static int add_leaf(struct formula *f, const char *name, bool positive,
-                    bool is_state)
+static int add_state(struct formula *f, const struct system_state *x)
 {
-    if (is_state)
-        return formula_leaf(f, name,
-                            positive ? FORMULA_POSITIVE_STATE : FORMULA_STATE);
-    return formula_leaf(
-        f, name, positive ? FORMULA_POSITIVE_PARAMETER : FORMULA_PARAMETER);
+    return formula_leaf(f, x->name,
+                        x->chart == CHART_POSITIVE ? FORMULA_POSITIVE_STATE
+                                                   : FORMULA_STATE);
+}
+
+static int add_parameter(struct formula *f, const struct system_parameter *p)
+{
+    const int leaf = formula_leaf(f, p->name,
+                                  p->value > 0 ? FORMULA_POSITIVE_PARAMETER
+                                               : FORMULA_PARAMETER);
+
+    formula_know(f, leaf, p->value);
+    return leaf;
 }
 
 enum status formula_system_state(struct formula_system *s, const char *name,
@@ -98,7 +105,7 @@ enum status formula_system_state(struct formula_system *s, const char *name,
     if (status != STATUS_OK)
         return status;
     strcpy(new.name, name);
-    new.node = add_leaf(&s->graph, name, chart == CHART_POSITIVE, true);
+    new.node = add_state(&s->graph, &new);
     s->state[s->states++] = new;
     return STATUS_OK;
 }
@@ -118,7 +125,7 @@ enum status formula_system_parameter(struct formula_system *s, const char *name,
     if (status != STATUS_OK)
         return status;
     strcpy(new.name, name);
-    new.node = add_leaf(&s->graph, name, new.value > 0, false);
+    new.node = add_parameter(&s->graph, &new);
     s->parameter[s->parameters++] = new;
     return STATUS_OK;
 }
@@ -354,18 +361,17 @@ const char *formula_system_text(const struct formula_system *s,
     return s->text + e->text;
 }
 
-/* What is > 0 by its form depends on which parameters are: reads all again. */
+/* What is > 0 by its form depends on which parameters are, and powers on whole
+ * exponents: reads all again. */
 static void read_again(struct formula_system *s)
 {
     struct fault why;
 
     formula_init(&s->graph);
     for (int i = 0; i < s->states; i++)
-        s->state[i].node = add_leaf(&s->graph, s->state[i].name,
-                                    s->state[i].chart == CHART_POSITIVE, true);
+        s->state[i].node = add_state(&s->graph, &s->state[i]);
     for (int i = 0; i < s->parameters; i++)
-        s->parameter[i].node = add_leaf(&s->graph, s->parameter[i].name,
-                                        s->parameter[i].value > 0, false);
+        s->parameter[i].node = add_parameter(&s->graph, &s->parameter[i]);
     for (int i = 0; i < s->entries; i++) {
         struct system_entry *e = &s->entry[i];
         if (formula_parse(&s->graph, formula_system_text(s, e), &e->node,
@@ -383,9 +389,10 @@ enum status formula_system_set(struct formula_system *s, const char *name,
     const int i = formula_system_find_parameter(s, name);
 
     if (i >= 0) {
-        const bool was = s->parameter[i].value > 0;
-        s->parameter[i].value = value;
-        if (was != (value > 0))
+        struct system_parameter *p = &s->parameter[i];
+        const bool was = p->value > 0;
+        p->value = value;
+        if (was != (value > 0) || s->graph.node[p->node].exponent)
             read_again(s);
         if (!s->graph.full)
             return STATUS_OK;

@@ -120,8 +120,8 @@ MUST_CHECK enum status formula_system_finish(const struct formula_system *s,
 /* Whether a formula has the name. */
 bool formula_system_uses(const struct formula_system *s, const char *name);
 
-/* Sets a parameter that is there.  Nodes may change with its sign: what was
- * made of them before is to be made again. */
+/* Sets a parameter that is there.  Nodes may change with its sign, or where it
+ * is an exponent: what was made of them before is to be made again. */
 MUST_CHECK enum status formula_system_set(struct formula_system *s,
                                           const char *name, formula_real value,
                                           struct formula_place at,

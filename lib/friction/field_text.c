@@ -68,9 +68,12 @@ static void name_owns(const struct law_typed *t, struct formula *f)
 
     for (int i = 0; t && i < t->owns; i++)
         if (strlen(t->own[i].name) <= LETTERS)
-            formula_leaf(f, t->own[i].name,
-                         t->own[i].value > 0 ? FORMULA_POSITIVE_PARAMETER
-                                             : FORMULA_PARAMETER);
+            formula_know(f,
+                         formula_leaf(f, t->own[i].name,
+                                      t->own[i].value > 0
+                                          ? FORMULA_POSITIVE_PARAMETER
+                                          : FORMULA_PARAMETER),
+                         t->own[i].value);
         else
             formula_define(f, t->own[i].name,
                            formula_number(f, t->own[i].value));

@@ -135,7 +135,7 @@ bool law_uses_name(const struct law *law, const char *name)
     if (g->psi_ss >= 0)
         used[g->psi_ss] = true;
     formula_complete(&g->f, used);
-    return leaf >= 0 && used[leaf];
+    return leaf >= 0 && (used[leaf] || g->f.node[leaf].exponent);
 }
 
 bool law_uses(const struct law *law, enum material_key key)

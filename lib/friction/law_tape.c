@@ -39,7 +39,9 @@ void law_names(const struct law *law, struct formula *f)
     for (int i = 0; i < MODEL; i++)
         formula_leaf(f, model[i].name, leaf_of(model[i].positive));
     for (int i = 0; t && i < t->owns; i++)
-        formula_leaf(f, t->own[i].name, leaf_of(t->own[i].value > 0));
+        formula_know(
+            f, formula_leaf(f, t->own[i].name, leaf_of(t->own[i].value > 0)),
+            t->own[i].value);
 }
 
 void law_values(const struct law *law, const struct material *m,

@@ -1,7 +1,11 @@
 /* Laws that are formulas, and their steady states. */
 #include "law_typed.h"
 
+#include <assert.h>
+#include <math.h>
+#include <stdatomic.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- making -------------------------------------------------------------- */
@@ -39,6 +43,11 @@ static enum status check_parts(const struct law_typed *t, struct fault *why)
     return STATUS_OK;
 }
 
+static bool is_exponent(const struct formula *f, const char *name)
+{
+    return f->node[formula_find(f, name, strlen(name))].exponent;
+}
+
 enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
                            struct fault *why)
 {
@@ -54,7 +63,75 @@ enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
     }
     if (s == STATUS_OK)
         law_graph_make(&law, &t->graph);
+    for (int i = 0; i < t->owns && s == STATUS_OK; i++)
+        t->own[i].exponent = is_exponent(&t->tape[1].f, t->own[i].name) ||
+                             is_exponent(&t->graph.f, t->own[i].name);
     return s == STATUS_OK ? s : STATUS_BAD_SCENE;
+}
+
+/* ---- whole exponents ----------------------------------------------------- */
+
+static bool is_whole(double x)
+{
+    return floor(x) >= x && fabs(x) < FORMULA_WHOLE;
+}
+
+static bool suits(const struct law_typed *t, const double own[])
+{
+    for (int i = 0; i < t->owns; i++) {
+        const double was = t->own[i].value;
+        if (t->own[i].exponent && (was < own[i] || was > own[i]) &&
+            (is_whole(was) || is_whole(own[i])))
+            return false;
+    }
+    return true;
+}
+
+static struct law_typed *make_at(const struct law_typed *t, const double own[])
+{
+    struct law_typed *new = calloc(1, sizeof *new);
+    enum law_part wrong;
+    struct fault why;
+
+    if (new == NULL)
+        return NULL;
+    memcpy(new->text, t->text, sizeof new->text);
+    memcpy(new->own, t->own, sizeof new->own);
+    new->real = t->real;
+    new->form = t->form;
+    new->owns = t->owns;
+    for (int i = 0; i < t->owns; i++)
+        new->own[i].value = own[i];
+    const enum status s = law_typed_make(new, &wrong, &why);
+    assert(s == STATUS_OK); /* it was with others */
+    (void) s;
+    return new;
+}
+
+const struct law_typed *law_typed_at(struct law_typed *t, const double own[])
+{
+    struct law_typed *made = NULL, *next = NULL;
+
+    while (!suits(t, own)) {
+        next = atomic_load(&t->next);
+        if (next == NULL && made == NULL && !(made = make_at(t, own)))
+            return NULL;
+        if (next == NULL &&
+            atomic_compare_exchange_strong(&t->next, &next, made))
+            return made;
+        t = next; /* another thread's, if it was sooner */
+    }
+    law_typed_free(made);
+    return t;
+}
+
+void law_typed_free(struct law_typed *t)
+{
+    while (t) {
+        struct law_typed *next = atomic_load(&t->next);
+        free(t);
+        t = next;
+    }
 }
 
 /* Kato and Tullis', of which the closed forms of others do not hold. */

@@ -12,10 +12,12 @@
 enum { LAW_LETTERS = 512 };
 
 /* A name of the law's own; not one of the model's.  Its value is that of the
- * material, of the same sign as this one. */
+ * material, of the same sign as this one, and as whole (law_typed_at). */
 struct law_own {
     char name[FORMULA_NAME];
     double value;
+    bool exponent; /* of what may be < 0: whole values have graphs of their own;
+                      made, not set */
 };
 
 /* The first members are to be set; the rest is made of them.  Large. */
@@ -30,12 +32,19 @@ struct law_typed {
 
     struct tape_lowered tape[2]; /* where v changes, and from an equilibrium */
     struct law_graph graph;
+    _Atomic(struct law_typed *) next; /* owned: with other whole exponents */
 };
 
 /* Makes the rest.  STATUS_BAD_SCENE with a reason where a part, *wrong, cannot
  * be read or used; *wrong is LAW_PARTS where one is missing. */
 MUST_CHECK enum status law_typed_make(struct law_typed *t, enum law_part *wrong,
                                       struct fault *why);
+
+/* The same of names' values own[], of t or kept in it; NULL without memory. */
+const struct law_typed *law_typed_at(struct law_typed *t, const double own[]);
+
+/* Of the heap, with what law_typed_at keeps in it; NULL is nothing. */
+void law_typed_free(struct law_typed *t);
 
 /* The law; borrows t. */
 struct law law_of_typed(const struct law_typed *t);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "document.h"
+#include "law_typed.h"
 #include "override.h"
 #include "scene_ensemble.h"
 #include "scene_figure.h"
@@ -434,7 +435,7 @@ void scene_free(struct scene *s)
     free(s->parameter_key);
     free(s->xi);
     free(s->chi_alpha);
-    free(s->typed);
+    law_typed_free(s->typed);
     free(s->start);
     free(s->rabinowicz.tan_alpha);
     free(s->rabinowicz.data);

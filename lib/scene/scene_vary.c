@@ -26,13 +26,26 @@ bool scene_vary_is(const struct scene_vary *v)
     return v->own >= 0 || (v->key && value_is_real(v->key));
 }
 
+/* Law and material, or neither. */
+static bool set_own(struct scene *s, int own, double x)
+{
+    struct material m = s->material;
+
+    m.own[own] = x;
+    const struct law_typed *typed = law_typed_at(s->typed, m.own);
+    if (typed == NULL)
+        return false;
+    s->material = m;
+    s->law = law_of_typed(typed);
+    return true;
+}
+
 bool scene_vary_set(const struct scene_vary *v, double x, struct scene *s)
 {
     if (v->own >= 0) {
         if (!isfinite(x) || (x > 0.0) != (s->typed->own[v->own].value > 0.0))
             return false;
-        s->material.own[v->own] = x;
-        return true;
+        return set_own(s, v->own, x);
     }
     if (v->key == NULL)
         return isfinite(x);

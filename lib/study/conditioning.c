@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "law_typed.h"
 #include "neighbours.h"
 #include "scene_slope.h"
 #include "study.h"
@@ -43,6 +44,15 @@ static bool given_by_tangent(const struct scene *c)
            c->tan_alpha != tanl((long double) c->alpha);
 }
 
+/* Whole exponents are exact. */
+static double own_weight(const struct law *law, const double own[], int i)
+{
+    return own[i] == 0.0 ||
+                   (law->typed->own[i].exponent && floor(own[i]) >= own[i])
+               ? 0.0
+               : 1.0;
+}
+
 /* How often the rounding of an input counts. */
 static double weight_of(const struct scene *c, int input)
 {
@@ -55,7 +65,7 @@ static double weight_of(const struct scene *c, int input)
     if (input == INPUT_ALPHA) /* d ln alpha/d ln tan(alpha) */
         return given_by_tangent(c) ? t / ((1.0 + t * t) * c->alpha) : 1.0;
     if (input >= INPUT_OWN)
-        return m.own[input - INPUT_OWN] != 0.0 ? 1.0 : 0.0;
+        return own_weight(&c->law, m.own, input - INPUT_OWN);
     const double value = *material_member(&m, key);
     if (key == MATERIAL_L || key == MATERIAL_V_STAR || value == 0.0 ||
         !isfinite(value) || !law_uses(&c->law, key))

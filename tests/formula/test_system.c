@@ -1,6 +1,7 @@
 /* Systems as people type them: kept with their names, or blamed in one line. */
 #include "system.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "check.h"
@@ -91,6 +92,46 @@ static void a_parameter_may_change_its_sign(void **state)
     int node = -1;
     GOOD(formula_parse(&s.graph, "x - x^3 + exp(ln(eps)*x)", &node, &why));
     assert_int_equal(node, s.rate[0]);
+}
+
+/* Only what is whole stands in the graph as a number. */
+static void whole_parameters_are_exponents_of_any_number(void **state)
+{
+    static const struct {
+        double n;
+        const char *same;
+    } cases[] = { { 3, "x^3" }, { 2.5, NULL }, { -1, "1/x" },
+                  { 0, "1" },   { 1, "x" },    { -9999.5, NULL },
+                  { 2, "x*x" }, { 1e5, NULL }, { -4, "1/x^4" } };
+
+    (void) state;
+    GOOD(formula_system_parameter(&s, "n", "7", at, &why));
+    GOOD(formula_system_define(&s, "p", "x^((2*n + n)/3)", at, &why));
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        GOOD(formula_system_set(&s, "n", cases[i].n, at, &why));
+        const int p = formula_find(&s.graph, "p", 1), w = s.graph.node[p].of[1];
+        int same;
+        GOOD(formula_parse(&s.graph, cases[i].same ? cases[i].same : "x", &same,
+                           &why));
+        assert_true(cases[i].same ? p == same
+                                  : s.graph.node[w].kind != FORMULA_NUMBER);
+    }
+}
+
+/* Many names, each of which has the one before twice. */
+static void exponents_of_exponents_end(void **state)
+{
+    char name[8] = "n", text[24];
+
+    (void) state;
+    GOOD(formula_system_parameter(&s, "n", "2", at, &why));
+    for (int i = 0; i < 60; i++) {
+        snprintf(text, sizeof text, "%s - %s/2", name, name);
+        snprintf(name, sizeof name, "n%d", i);
+        GOOD(formula_system_define(&s, name, text, at, &why));
+    }
+    snprintf(text, sizeof text, "x^(%s*%s)", name, name);
+    GOOD(formula_system_rate(&s, "x", text, at, &why));
 }
 
 #define BLAMED(call, expected)                                                 \
@@ -184,6 +225,9 @@ int main(void)
         cmocka_unit_test(an_angle_has_a_period),
         cmocka_unit_test(rates_of_an_angle_are_the_same_after_its_period),
         cmocka_unit_test_setup(a_parameter_may_change_its_sign, open_system),
+        cmocka_unit_test_setup(whole_parameters_are_exponents_of_any_number,
+                               open_system),
+        cmocka_unit_test_setup(exponents_of_exponents_end, open_system),
         cmocka_unit_test_setup(names_that_cannot_be_are_blamed_where_they_stand,
                                open_system),
         cmocka_unit_test_setup(a_system_is_as_it_was_after_a_blame,

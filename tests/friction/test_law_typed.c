@@ -3,6 +3,7 @@
 #include "law_typed.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "block.h"
@@ -329,6 +330,43 @@ static void whole_powers_of_what_is_negative_are_known(void **state)
     }
 }
 
+/* A law of another whole exponent is made once and kept; others share one. */
+static void exponents_that_are_whole_have_laws_of_their_own(void **state)
+{
+    enum law_part wrong;
+    struct fault why = { "" };
+    struct law_typed *t = calloc(1, sizeof *t);
+    const double n[] = { 3, 2.5, 3, 2.25, -1, 2, 3.5, 1e9 };
+    const struct law_typed *found[8];
+
+    (void) state;
+    assert_non_null(t);
+    law_typed_of_preset(law_preset_find("dieterich"), t);
+    strcpy(t->text[LAW_MU], "mu_star + a*ln(v) + q*ln(v)^n/1024 + b*ln(psi)");
+    t->own[0] = (struct law_own){ "n", 2, false };
+    t->own[1] = (struct law_own){ "q", 1, false };
+    t->owns = 2;
+    assert_int_equal(law_typed_make(t, &wrong, &why), STATUS_OK);
+    assert_true(t->own[0].exponent && !t->own[1].exponent);
+    for (size_t i = 0; i < sizeof n / sizeof *n; i++) {
+        struct material m = material_bristol_board();
+        m.own[0] = n[i];
+        m.own[1] = 2;
+        found[i] = law_typed_at(t, m.own);
+        const struct law law = law_of_typed(found[i]);
+        const long double mu = steady_mu_log(&law, &m, -3),
+                          exact = m.mu_star - 3 * ((long double) m.a - m.b) +
+                                  powl(-3, n[i]) / 512;
+        CHECK(isfinite(exact) && n[i] < 1e4 ? is_near(mu, exact, 1e-15L)
+                                            : !isfinite(mu),
+              "n = %g: %Lg, not %Lg", n[i], mu, exact);
+    }
+    assert_true(found[0] == found[2] && found[5] == t);
+    assert_true(found[1] == found[3] && found[1] == found[6]);
+    assert_true(found[1] == found[7] && found[1] != found[0]);
+    law_typed_free(t);
+}
+
 static void a_law_that_lacks_a_part_or_has_a_wrong_one_says_so(void **state)
 {
     static const struct {
@@ -371,6 +409,7 @@ int main(void)
         cmocka_unit_test(series_are_those_of_the_components),
         cmocka_unit_test(formulas_that_cancel_keep_their_digits),
         cmocka_unit_test(whole_powers_of_what_is_negative_are_known),
+        cmocka_unit_test(exponents_that_are_whole_have_laws_of_their_own),
         cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
