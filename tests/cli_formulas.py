@@ -4,6 +4,7 @@
 usage: cli_formulas.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import os
+import re
 
 from cli_room import expect, refused, run_cases, shown
 
@@ -277,6 +278,18 @@ def whole_parameters_are_exponents_of_what_is_negative(room):
         expect(psi['value'][i] == here and (here is None) == (n == 2.5), n, psi, one)
 
 
+def names_that_other_programs_have_are_numbers_there(room):
+    room.write('a.yaml', '''law: {theta: ln(psi), psi_ss: alpha/v + lnv/50, T: A/v}
+material: {alpha: 2, lnv: 1, A: 3}
+slope: {alpha: 0.4}
+''')
+    room.good('export', 'a.yaml', '--as', 'xppaut', '--form', 'time', '-o', 'a.ode')
+    text = room.read('a.ode')
+    names = [name.lower() for name in re.findall(r'^par (\w+)=', text, re.M)]
+    expect(len(names) == len(set(names)) and 'lnv' not in names, names)
+    expect('par alpha=0.4\n' in text and '!psi0=2*(1/v0)+1/50\n' in text, text)
+
+
 def a_law_without_a_slope_at_its_steady_state_is_no_node(room):
     law = ['--set', 'law={theta: ln(psi), psi_ss: 1/v, '
            'rate: "1 - v*psi + 1e-4*ln(v)^n"}', '--set', 'material.n=2.5']
@@ -286,6 +299,7 @@ def a_law_without_a_slope_at_its_steady_state_is_no_node(room):
 
 
 run_cases([whole_parameters_are_exponents_of_what_is_negative,
+           names_that_other_programs_have_are_numbers_there,
            names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            a_law_without_a_slope_at_its_steady_state_is_no_node,
            json_is_as_the_interface_says, shares_are_halves,

@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 #include "law_tape.h"
 
@@ -49,25 +50,42 @@ const char *text_state_name(const struct law *law, int coordinate)
 
 /* ---- lines ------------------------------------------------------------ */
 
-static void name_parameters(struct formula *f)
+static void name_parameters(struct formula *f, int leaf[TEXT_PARAMETERS])
 {
     for (int p = 0; p < TEXT_PARAMETERS; p++) {
         const bool signs =
             p == TEXT_ALPHA || p == TEXT_MU_STAR || p >= TEXT_LNV0;
-        formula_leaf(f, text_parameters[p].name,
-                     signs ? FORMULA_PARAMETER : FORMULA_POSITIVE_PARAMETER);
+        leaf[p] = formula_leaf(f, text_parameters[p].name,
+                               signs ? FORMULA_PARAMETER
+                                     : FORMULA_POSITIVE_PARAMETER);
     }
+    formula_define(f, LAW_LNV0, leaf[TEXT_LNV0]);
+    formula_define(f, LAW_Y0, leaf[TEXT_Y0]);
     formula_define(f, "tan_alpha",
-                   formula_of(f, FUNCTION_TAN, formula_find(f, "alpha", 5)));
+                   formula_of(f, FUNCTION_TAN, leaf[TEXT_ALPHA]));
 }
 
-/* Those that are too long for other programs become numbers. */
-static void name_owns(const struct law_typed *t, struct formula *f)
+/* Whether another program can have the name: capitals do not count there. */
+static bool is_free(const struct law *law, const struct formula *f,
+                    const char *name)
 {
     enum { LETTERS = 9 };
+    bool free = strlen(name) <= LETTERS;
+
+    for (int i = 0; i < f->nodes; i++)
+        free = free && strcasecmp(f->node[i].name, name) != 0;
+    for (int i = 0; i < 2; i++)
+        free = free && strcasecmp(text_state_name(law, i), name) != 0;
+    return free;
+}
+
+/* Others become numbers. */
+static void name_owns(const struct law *law, struct formula *f)
+{
+    const struct law_typed *t = law->typed;
 
     for (int i = 0; t && i < t->owns; i++)
-        if (strlen(t->own[i].name) <= LETTERS)
+        if (is_free(law, f, t->own[i].name))
             formula_know(f,
                          formula_leaf(f, t->own[i].name,
                                       t->own[i].value > 0
@@ -80,10 +98,8 @@ static void name_owns(const struct law_typed *t, struct formula *f)
 }
 
 static bool is_used(const struct formula *f, const struct text_lines *lines,
-                    const char *name)
+                    int node)
 {
-    const int node = formula_find(f, name, strlen(name));
-
     return f->node[node].kind == FORMULA_LEAF && lines->uses[node];
 }
 
@@ -114,15 +130,19 @@ static void write_tape(const struct law *law, struct tape_lowered *tape,
 void field_text(const struct law *law, struct field_text *out)
 {
     struct tape_lowered tape;
+    int parameter[TEXT_PARAMETERS];
 
     formula_init(&tape.f);
-    name_parameters(&tape.f);
-    name_owns(law->typed, &tape.f);
+    name_parameters(&tape.f, parameter);
+    name_owns(law, &tape.f);
     law_tape(law, false, &tape);
     write_tape(law, &tape, &out->lines);
     for (int i = 0; i < TEXT_PARAMETERS; i++)
-        out->uses[i] = is_used(&tape.f, &out->lines, text_parameters[i].name);
-    for (int i = 0; i < LAW_OWNS; i++)
-        out->owns[i] = law->typed && i < law->typed->owns &&
-                       is_used(&tape.f, &out->lines, law->typed->own[i].name);
+        out->uses[i] = is_used(&tape.f, &out->lines, parameter[i]);
+    memset(out->owns, 0, sizeof out->owns);
+    for (int i = 0; law->typed && i < law->typed->owns; i++) {
+        const char *name = law->typed->own[i].name;
+        out->owns[i] = is_used(&tape.f, &out->lines,
+                               formula_find(&tape.f, name, strlen(name)));
+    }
 }

@@ -15,13 +15,14 @@
 
 /* ---- making -------------------------------------------------------------- */
 
-/* A part of the graph under this name; 0 where it is not given. */
+/* A part of the graph, under this name if formulas may use it; 0 where it is
+ * not given. */
 static int part(struct formula *f, const char *name, const char *text)
 {
     struct fault why;
     int node = 0;
 
-    if (text && formula_parse(f, text, &node, &why) == STATUS_OK)
+    if (text && formula_parse(f, text, &node, &why) == STATUS_OK && name)
         formula_define(f, name, node);
     return node;
 }
@@ -61,8 +62,8 @@ static void make_state(const struct law *law, struct law_graph *g)
     struct formula *f = &g->f;
 
     law_names(law, f);
-    g->x = formula_find(f, "lnv0", 4);
-    g->y = formula_find(f, "y0", 2);
+    g->x = formula_find(f, LAW_LNV0, sizeof LAW_LNV0 - 1);
+    g->y = formula_find(f, LAW_Y0, sizeof LAW_Y0 - 1);
     formula_define(f, "v", formula_of(f, FUNCTION_EXP, g->x));
     g->psi_ss = psi_ss ? part(f, "psi_ss", psi_ss) : -1;
     g->y_ss = g->psi_ss < 0 || is_log ? g->psi_ss
@@ -77,7 +78,7 @@ static void make_friction(const struct law *law, struct law_graph *g)
     const char *own = law_text(law, LAW_MU);
     struct formula *f = &g->f;
     const int a = formula_find(f, "a", 1);
-    int mu = part(f, "mu_log", own ? own : "mu_star + a*ln(v) + b*theta");
+    int mu = part(f, NULL, own ? own : "mu_star + a*ln(v) + b*theta");
 
     g->node[LAW_AT_MU_LOG] = mu;
     if (own == NULL && law->form == FRICTION_ASINH)
@@ -101,15 +102,15 @@ void law_graph_make(const struct law *law, struct law_graph *g)
     part(f, "T", law_text(law, LAW_T));
     part(f, "K", K);
     make_friction(law, g);
-    node[LAW_AT_GROWTH] = part(f, "dpsi", rate ? rate : K ? "-K/T" : "-d/T");
-    node[LAW_AT_DX] = part(f, "dx",
+    node[LAW_AT_GROWTH] = part(f, NULL, rate ? rate : K ? "-K/T" : "-d/T");
+    node[LAW_AT_DX] = part(f, NULL,
                            "(tan_alpha - mu)/"
                            "(v*eps2*sqrt(1 + tan_alpha*tan_alpha))");
     if (law_psi_is_log(law))
         node[LAW_AT_DY] = node[LAW_AT_GROWTH];
     else if (!formula_take_out(f, node[LAW_AT_GROWTH], g->psi,
                                &node[LAW_AT_DY]))
-        node[LAW_AT_DY] = part(f, "dy", "dpsi/psi");
+        node[LAW_AT_DY] = formula_over(f, node[LAW_AT_GROWTH], g->psi);
     order(g);
 }
 

@@ -20,8 +20,8 @@ static const struct {
 } model[] = {
     { "tan_alpha", true }, { "mu_star", false }, { "a", true },
     { "b", true },         { "c", true },        { "R", true },
-    { "V_c", true },       { "eps2", true },     { "lnv0", false },
-    { "y0", false },
+    { "V_c", true },       { "eps2", true },     { LAW_LNV0, false },
+    { LAW_Y0, false },
 };
 enum { MODEL = sizeof model / sizeof *model };
 _Static_assert(MODEL + LAW_OWNS + 1 == LAW_VALUES, "one value a name");
@@ -93,18 +93,18 @@ static int define(struct reading *r, const char *name, const char *text)
     return node;
 }
 
-/* At lnv0 on the steady curve. */
+/* On the steady curve. */
 static void anchor(struct reading *r, const struct law *law,
                    struct plane_formulas *p)
 {
     const char *psi_ss = law_text(law, LAW_PSI_SS);
     struct formula *f = r->f;
 
-    p->chart[0] = formula_find(f, "lnv0", 4);
+    p->chart[0] = formula_find(f, LAW_LNV0, sizeof LAW_LNV0 - 1);
     p->at[0] = formula_of(f, FUNCTION_EXP, p->chart[0]);
     formula_name(f, p->at[0], "v0");
     formula_define(f, "v", p->at[0]);
-    const int y0 = formula_find(f, "y0", 2);
+    const int y0 = formula_find(f, LAW_Y0, sizeof LAW_Y0 - 1);
     const int psi0 = psi_ss                ? read_as(r, "psi_ss", psi_ss)
                      : law_psi_is_log(law) ? y0
                                            : formula_of(f, FUNCTION_EXP, y0);
@@ -133,10 +133,10 @@ static void name_plane(struct reading *r, const struct law *law,
     define(r, "K", K);
     p->value[0] = define(r, "mu", law_text_mu(law));
     p->values = 1;
-    p->rate[0] = define(r, "dv",
-                        "(tan_alpha - mu)/"
-                        "(eps2*sqrt(1 + tan_alpha*tan_alpha))");
-    p->rate[1] = define(r, "dpsi", rate ? rate : K ? "-K/T" : "-d/T");
+    p->rate[0] = read_as(r, "dv",
+                         "(tan_alpha - mu)/"
+                         "(eps2*sqrt(1 + tan_alpha*tan_alpha))");
+    p->rate[1] = read_as(r, "dpsi", rate ? rate : K ? "-K/T" : "-d/T");
 }
 
 /* In the order of enum block_observable (block.h). */

@@ -11,6 +11,11 @@
 
 enum { LAW_VALUES = 27 };
 
+/* Where the steady curve is left from, ln v and the chart's y; no formula of a
+ * user's can have these. */
+#define LAW_LNV0 "ln v0"
+#define LAW_Y0   "y of v0"
+
 /* R = inf: as good as that beside any v >= 1e-300, and not too large for 113
  * bits. */
 #define LAW_R_INFINITE 1e4000L
@@ -27,8 +32,8 @@ void law_values(const struct law *law, const struct material *m,
 
 /* Rates of the chart (ln v, ln psi) or (ln v, psi) per t*; value 0 is mu.
  * out->f must know the constants tan_alpha, mu_star, a, b, c, R, V_c, eps2,
- * lnv0 and y0, where the steady curve is left from: psi stands still there, and
- * v, too, if it is an equilibrium.  Of a law that can be used. */
+ * LAW_LNV0 and LAW_Y0: psi stands still there, and v, too, if it is an
+ * equilibrium.  Of a law that can be used. */
 void law_tape(const struct law *law, bool equilibrium,
               struct tape_lowered *out);
 

@@ -81,8 +81,8 @@ static bool growth(void *ctx, mpfr_srcptr y, mpfi_ptr out)
     struct fault why;
 
     mpfi_set_fr(g->y, y);
-    interval_graph_set(&p->state, "lnv0", g->x);
-    interval_graph_set(&p->state, "y0", g->y);
+    interval_graph_set(&p->state, LAW_LNV0, g->x);
+    interval_graph_set(&p->state, LAW_Y0, g->y);
     if (interval_graph_run(&p->state, &why) != STATUS_OK)
         return false;
     mpfi_set(out,
@@ -114,9 +114,9 @@ static bool stand(struct given *g)
         if (!(g->within ? stand_within(g)
                         : proof_root(growth, NULL, g, g->near, g->y)))
             return false;
-        interval_graph_set(&p->at, "y0", g->y);
+        interval_graph_set(&p->at, LAW_Y0, g->y);
     }
-    interval_graph_set(&p->at, "lnv0", g->x);
+    interval_graph_set(&p->at, LAW_LNV0, g->x);
     return interval_graph_run(&p->at, &why) == STATUS_OK;
 }
 
@@ -149,8 +149,8 @@ static bool know_psi_ss(void *ctx, mpfi_srcptr place)
     if (!stand(g))
         return false;
     mpfi_set(g->all, g->y);
-    interval_graph_set(&p->state, "lnv0", place);
-    interval_graph_set(&p->state, "y0", g->all);
+    interval_graph_set(&p->state, LAW_LNV0, place);
+    interval_graph_set(&p->state, LAW_Y0, g->all);
     if (interval_graph_run(&p->state, &why) != STATUS_OK ||
         !interval_growth_run(p->growth, &p->state, variable, none, 1))
         return false;
@@ -240,8 +240,8 @@ static enum status make(struct proof_law *p, const struct block *b,
     enum status s = settle(g, b, why);
     if (s != STATUS_OK)
         return s;
-    interval_graph_set(&p->state, "lnv0", g->x);
-    interval_graph_set(&p->state, "y0",
+    interval_graph_set(&p->state, LAW_LNV0, g->x);
+    interval_graph_set(&p->state, LAW_Y0,
                        interval_graph_value(&p->at, p->lowered->p.chart[1]));
     s = interval_graph_run(&p->state, why);
     if (s != STATUS_OK)

@@ -64,8 +64,8 @@ bool scene_law_may_own(const char *path)
 static bool is_name(const char *text)
 {
     static const char *const taken[] = {
-        "v",         "psi",  "theta", "psi_ss", "d",    "T",  "K",  "mu",
-        "tan_alpha", "eps2", "lnv0",  "dv",     "dpsi", "pi", "y0",
+        "v", "psi", "theta",     "psi_ss", "d",  "T",
+        "K", "mu",  "tan_alpha", "eps2",   "pi",
     };
 
     for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)

@@ -184,9 +184,9 @@ static void run_graph(const struct around *a, struct interval_graph *g,
 
     mpfi_init2(at, PROOF_BITS);
     mpfi_add_d(at, interval_graph_value(&a->law.at, p->chart[0]), X);
-    interval_graph_set(g, "lnv0", at);
+    interval_graph_set(g, LAW_LNV0, at);
     mpfi_add_d(at, interval_graph_value(&a->law.at, p->chart[1]), Y);
-    interval_graph_set(g, "y0", at);
+    interval_graph_set(g, LAW_Y0, at);
     mpfi_clear(at);
     CHECK(interval_graph_run(g, &why) == STATUS_OK, "%s", why.text);
 }

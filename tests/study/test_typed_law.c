@@ -95,27 +95,28 @@ static void a_preset_by_its_rate_alone_gives_its_numbers(void **state)
 /* theta = ln psi with a velocity cut-off under the state, v0 its own, and
  * names that the program uses within: the extrema of mu_ss where a/v = b/(v +
  * v0). */
+#define LAW_OF_NAMES                                                           \
+    "law: {theta: ln(psi), psi_ss: slip/v + work/v0,\n"                        \
+    "      rate: v*(work/v0 + slip*lnv0/v - y0*psi)/(dv*dpsi*mu_log)}\n"
+#define NAMES                                                                  \
+    "material: {a: 0.03, b: 0.04, slip: 1, work: 1, lnv0: 1, y0: 1,"           \
+    " dv: 2, dpsi: 0.25, mu_log: 2, "
+
 static void a_law_with_names_of_its_own_has_its_folds(void **state)
 {
     static struct study study;
     struct fault why;
     struct scene s = scene_made(
-        "law: {theta: ln(psi), psi_ss: slip/v + work/v0, T: psi0/v, K: d}\n"
-        "material: {a: 0.03, b: 0.04, slip: 1, work: 1, psi0: 1, v0: 50}"
-        "\nslope: {alpha: 0.34}\n"
-        "products: [folds]\n",
+        LAW_OF_NAMES NAMES "v0: 50}\nslope: {alpha: 0.34}\nproducts: [folds]\n",
         "");
 
     (void) state;
     struct scene set = scene_made(
-        "law: {theta: ln(psi), psi_ss: slip/v + work/v0, T: psi0/v, K: d}\n"
-        "material: {a: 0.03, b: 0.04, slip: 1, work: 1, psi0: 1, v0: 7}"
-        "\nslope: {alpha: 0.34}\n"
-        "products: [folds]\n",
+        LAW_OF_NAMES NAMES "v0: 7}\nslope: {alpha: 0.34}\nproducts: [folds]\n",
         "material.v0=50\n");
     assert_true(scene_same(&s, &set));
     scene_free(&set);
-    assert_int_equal(s.typed->owns, 4);
+    assert_int_equal(s.typed->owns, 8);
     assert_int_equal(study_run(&study, &s, NULL, &why), STATUS_OK);
     /* b v0/(v + v0) = a at v = v0 (b - a)/a */
     const double v = 50 * (0.04 - 0.03) / 0.03;
