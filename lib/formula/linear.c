@@ -172,6 +172,48 @@ int linear_value(struct forms *s, const struct linear *u)
     return emit_form(s, STEP_LINEAR, u, u->constant);
 }
 
+/* ---- at the anchor ------------------------------------------------------- */
+
+static bool form_rests(const struct forms *s, const struct linear *u,
+                       const bool rests[])
+{
+    bool all = true;
+
+    for (int i = 0; i < u->terms && all; i++)
+        all = rests[u->term[i].reg];
+    return all && formula_is(s->f, u->constant, 0.0);
+}
+
+static bool step_rests(const struct forms *s, const struct step *t,
+                       const bool rests[])
+{
+    switch (t->kind) {
+        case STEP_LINEAR:
+        case STEP_SCALED:
+            return form_rests(s, &t->form, rests);
+        case STEP_EXP:
+        case STEP_SINH:
+            return false;
+        case STEP_APART:
+            return formula_is(s->f, t->q, 0.0) && rests[t->a] && rests[t->b];
+        case STEP_PRODUCT:
+            return rests[t->a] || rests[t->b];
+        default:
+            return rests[t->a];
+    }
+}
+
+bool linear_rests(const struct forms *s, const struct linear *u)
+{
+    bool rests[TAPE_STEPS + 2] = { true, true };
+    struct linear registers = *u;
+
+    registers.constant = 0;
+    for (int i = 0; i < s->t->steps; i++)
+        rests[i + 2] = step_rests(s, &s->t->step[i], rests);
+    return form_rests(s, &registers, rests);
+}
+
 /* ---- products ------------------------------------------------------------ */
 
 /* u0 w0 + w0 du + u0 dw + du dw */

@@ -36,6 +36,8 @@ int linear_step(struct forms *s, enum step_kind kind, int a, int b, int k,
                 int q);
 /* A register that is its value. */
 int linear_value(struct forms *s, const struct linear *u);
+/* Whether all its registers are 0 at the anchor. */
+bool linear_rests(const struct forms *s, const struct linear *u);
 
 /* With what grew instead of growths: far from the anchor it keeps the digits
  * that a growth, which has all but taken away the anchor's value, would cancel.

@@ -430,6 +430,13 @@ static struct linear whole(struct lowering *L, int i)
     return is_away(L, i) ? once(L, &L->whole[i], i, make_whole, false) : plain;
 }
 
+struct linear lower_zero(struct lowering *L, int i)
+{
+    const struct linear plain = lower_plain(L, i);
+
+    return linear_rests(&L->s, &plain) ? plain : whole(L, i);
+}
+
 static int value_of_call(struct lowering *L, int i,
                          const struct formula_node *n)
 {

@@ -28,6 +28,8 @@ void lower_start(struct lowering *L, struct formula *f, struct tape *t,
 /* Of a node, and of its logarithm. */
 struct linear lower_plain(struct lowering *L, int i);
 struct linear lower_log(struct lowering *L, int i);
+/* Of a node that is 0 at the anchor: so are all its registers. */
+struct linear lower_zero(struct lowering *L, int i);
 
 /* Whether n is the difference of two products, of which *less is the second:
  * one step then, STEP_APART, and not the sum of both. */

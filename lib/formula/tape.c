@@ -15,20 +15,21 @@ struct factors {
     int sinh; /* -1: none */
 };
 
-static void split(struct lowering *L, int i, struct factors *out);
+static void split(struct lowering *L, int i, bool zero, struct factors *out);
 
 /* i = other pos or other/pos; a constant stays with the mantissa unless it is
  * positive. */
 static void split_product(struct lowering *L, int other, int pos, double sign,
-                          struct factors *out)
+                          bool zero, struct factors *out)
 {
     const struct linear l = lower_log(L, pos);
 
-    split(L, other, out);
+    split(L, other, zero, out);
     linear_add_times(&L->s, &out->exponent, sign, &l);
 }
 
-static void split(struct lowering *L, int i, struct factors *out)
+/* zero: it is 0 at the anchor. */
+static void split(struct lowering *L, int i, bool zero, struct factors *out)
 {
     const struct formula_node n = L->s.f->node[i];
     const struct formula_node *a = &L->s.f->node[n.of[0]],
@@ -39,14 +40,14 @@ static void split(struct lowering *L, int i, struct factors *out)
         out->mantissa.constant = formula_number(L->s.f, 1);
         out->exponent = lower_log(L, i);
     } else if (n.kind == FORMULA_TIMES && !a->moves && !a->positive) {
-        split(L, n.of[1], out);
+        split(L, n.of[1], zero, out);
         out->mantissa = linear_times(&L->s, n.of[0], &out->mantissa);
     } else if (n.kind == FORMULA_TIMES && a->positive) {
-        split_product(L, n.of[1], n.of[0], 1, out);
+        split_product(L, n.of[1], n.of[0], 1, zero, out);
     } else if (n.kind == FORMULA_TIMES && b->positive) {
-        split_product(L, n.of[0], n.of[1], 1, out);
+        split_product(L, n.of[0], n.of[1], 1, zero, out);
     } else if (n.kind == FORMULA_OVER && b->positive) {
-        split_product(L, n.of[0], n.of[1], -1, out);
+        split_product(L, n.of[0], n.of[1], -1, zero, out);
     } else if (n.kind == FORMULA_CALL && n.function == FUNCTION_SINH) {
         const struct linear u = lower_plain(L, n.of[0]);
         out->mantissa =
@@ -56,7 +57,7 @@ static void split(struct lowering *L, int i, struct factors *out)
                        0);
         out->sinh = n.of[0];
     } else {
-        out->mantissa = lower_plain(L, i);
+        out->mantissa = zero ? lower_zero(L, i) : lower_plain(L, i);
     }
 }
 
@@ -125,7 +126,7 @@ static void lower_rate(struct lowering *L, int i)
     const int state = L->p->state[i];
     struct factors s;
 
-    split(L, L->p->rate[i], &s);
+    split(L, L->p->rate[i], L->p->zero[i], &s);
     if (L->s.f->node[state].positive) { /* d ln v/dt = (dv/dt)/v */
         const struct linear l = lower_log(L, state);
         linear_add_times(&L->s, &s.exponent, -1, &l);
@@ -154,7 +155,7 @@ static void lower_observable(struct lowering *L, int i)
     struct factors s;
 
     if (!split_value(L, L->p->observable[i], &s))
-        split(L, L->p->observable[i], &s);
+        split(L, L->p->observable[i], false, &s);
     lower_factors(L, &s, false, &L->s.t->rate[2 + i]);
 }
 

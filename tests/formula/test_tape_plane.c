@@ -132,6 +132,73 @@ static void field_and_gradients_are_those_of_the_formulas(void **state)
     }
 }
 
+/* Differences of two products that are not 0 there, beside what makes up for
+ * them. */
+static void about_an_equilibrium_fields_are_those_of_the_formulas(void **state)
+{
+    static const struct {
+        struct plane_case of;
+        double at[2];
+    } cases[] = {
+        { { { "x*(2*y/(1 + y) - 0.4*x - 0.3)",
+              "y*(2*x/(1 + x) - 0.4*y - 0.3)" },
+            "1",
+            { 1, 1 },
+            { .01, .01 },
+            { 8, 8 } },
+          { 0.25, 0.25 } },
+        { { { "x*y - 3*y^2/x - x + 3", "2*x*y - y/x - 3*x + 4/(x + y)" },
+            "1",
+            { 1, 1 },
+            { .1, .1 },
+            { 3, 3 } },
+          { 1, 1 } },
+        { { { "(x*y - 4*y/x)^3 + 27", "sinh(x^2 - 2*y/x + 1)/x" },
+            "1",
+            { 1, 1 },
+            { .2, .2 },
+            { 2, 2 } },
+          { 1, 1 } },
+        { { { "3*exp(x - y) - x*exp(y - 1) - 2", "1/(x*y - 2*x) + x^2*y" },
+            "1",
+            { 1, 1 },
+            { .2, .2 },
+            { 1.9, 1.9 } },
+          { 1, 1 } },
+        { { { "x - y", "(x*y - 3*x)*(x/y - y) - 2 + (x - y)/x" },
+            "1",
+            { 1, 1 },
+            { .1, .1 },
+            { 3, 3 } },
+          { 2, 2 } },
+    };
+    uint64_t seed = check_seed();
+
+    (void) state;
+    for (int n = 0; n < 200; n++) {
+        const size_t i = (size_t) n % (sizeof cases / sizeof *cases);
+        const struct plane_case *c = &cases[i].of;
+        const quad at[2] = { logq(cases[i].at[0]), logq(cases[i].at[1]) };
+        double to[2];
+        draw(c, &seed, to);
+        make(c->rate, c->positive, c->observable, true, at);
+        const struct planar s = tape_planar(&plane);
+        const struct vec2 z = { to[0] - (double) at[0],
+                                to[1] - (double) at[1] };
+        struct planar_field f;
+        quad exact[3];
+        s.field(s.ctx, z, &f);
+        plainly(c, (const quad[]){ at[0] + z.x, at[1] + z.y }, exact);
+        const double e = exp(f.log_scale),
+                     found[2] = { f.direction.x * e, f.direction.y * e };
+        for (int k = 0; k < 2; k++)
+            CHECK(fabs(found[k] - (double) exact[k]) <=
+                      1e-11 * (1 + fabs((double) exact[k])),
+                  "%s: %.17g, exactly %.17g", c->rate[k], found[k],
+                  (double) exact[k]);
+    }
+}
+
 /* However it is asked for: alone, with gradients, as a series begins. */
 static void a_field_is_the_same_bits_whoever_asks(void **state)
 {
@@ -391,6 +458,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(field_and_gradients_are_those_of_the_formulas),
+        cmocka_unit_test(about_an_equilibrium_fields_are_those_of_the_formulas),
         cmocka_unit_test(a_field_is_the_same_bits_whoever_asks),
         cmocka_unit_test(what_is_not_known_is_not_one),
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
