@@ -67,14 +67,14 @@ unsigned fast_cells_fields(const struct slider *s, enum fate fate)
     }
 }
 
-/* A peak at the start is the start's, to rounding. */
+/* A peak at the start is the start's, to rounding; of others that is in their
+ * errors. */
 static void fill_peaks(const struct slider *s, struct vec2 z,
                        const struct layer *l, struct cell *c)
 {
     const struct vec2 m = s->block.steep;
     const struct vec2 o = s->plane.system.origin, from = vec2_sub(z, o);
     const double x = s->block.at.x0 + l->x.value;
-    const double least = TOL_BAR_FIRST_ORDER * TOL_REST_WRONG * (1.0 + fabs(x));
     const double rounding =
         TOL_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) + fabs(o.x) + fabs(o.y));
     const bool fastest = l->falls[0] && l->x.value == from.x;
@@ -83,10 +83,11 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
                          l->mu_next < l->mu.value - TOL_ASIDE * (m.x + m.y);
 
     c->v_peak = exp(fastest ? z.x : x);
-    c->v_peak_error = c->v_peak * (layer_peak_error(&l->x) +
-                                   (fastest ? TOL_ROUNDING : least));
+    c->v_peak_error =
+        c->v_peak * (expm1(layer_peak_error(&l->x)) +
+                     TOL_ROUNDING * (fastest ? 1.0 : 1.0 + fabs(x)));
     c->mu_peak = l->mu.value;
-    c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : least) +
+    c->mu_peak_error = (m.x + m.y) * rounding +
                        (hardest ? 0.0 : layer_peak_error(&l->mu)) +
                        TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(l->mu.value);
 }

@@ -86,7 +86,9 @@ bool landing_is_past(const struct landing *l, const double u[])
 }
 
 /* `way` of its own from the face, towards which it closes at this rate: what
- * lies to the left of it comes later by what it is further off the face. */
+ * lies to the left of it comes later by what it is further off the face.  With
+ * (dx, dy) its way, what lies d beside it meets a face of y at an x that is
+ * d/|dy| off, and one of x at the same x. */
 static void arrive(struct landing *l, const struct door *door, double closing,
                    double way)
 {
@@ -109,8 +111,10 @@ static void arrive(struct landing *l, const struct door *door, double closing,
     out->time_error = bar.time + level * du[LAYER_TIME];
     out->slip_error = bar.slip + level * du[LAYER_SLIP];
     out->x_end_error =
-        fmin(l->across, 2.0 * TOL_ARREST) * fabs(du[!door->along]) / closing +
+        (door->along ? fmin(l->across / closing, 2.0 * TOL_ARREST) : 0.0) +
         slider_rounding(s, (struct vec2){ out->x_end, 0.0 });
+    if (du[LAYER_X] > 0.0)
+        layer_peak_raise(&out->x, out->x_end, out->x_end_error);
 }
 
 /* Beside a box: enters it, takes the next step of Newton's method, or passes it
@@ -198,72 +202,6 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
         if (i < 3)
             *y += (e.x * dy - e.y * dx) / det;
     }
-    return true;
-}
-
-/* Whether friction rises from here on. */
-static bool mu_rises(const struct landing *l)
-{
-    const struct block *b = &l->curve->slider->block;
-    const struct vec2 z = landing_place(l), dz = landing_way(l);
-    const struct vec2 ahead = { z.x + TOL_ASIDE * dz.x,
-                                z.y + TOL_ASIDE * dz.y };
-
-    return block_mu(b, ahead) > block_mu(b, z);
-}
-
-/* The largest friction to come, which is the curve's but for *aside.  What sets
- * friction here apart from that on the curve only decays: where friction falls
- * by now, and along the curve, there is none to come; and of a peak beyond the
- * next knot, higher than all before it can be, only what is left by then. */
-static double mu_to_come(const struct landing *l, const struct slow_point *p,
-                         double y, double *aside)
-{
-    const struct block *b = &l->curve->slider->block;
-    const double mu = block_mu(b, (struct vec2){ p->x, y });
-    const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
-    const double near = is_ahead ? fmax(mu, p->mu_near) : mu;
-    const double apart = fabs(mu - block_mu(b, landing_place(l)));
-    const double wide = 2.0 * apart + TOL_LAYER_TRANSPORT * l->across *
-                                          (b->steep.x + b->steep.y);
-
-    *aside = near + wide < p->mu_peak
-                 ? TOL_LAYER_FORGET * apart * exp(-p->mu_folds)
-                 : wide;
-    return near == mu && !(p->mu_peak > mu) && !mu_rises(l)
-               ? -HUGE_VAL
-               : fmax(near, p->mu_peak);
-}
-
-/* How much faster the block may become than is known: as fast as on the curve,
- * where that leads down from here; else by what is left beside its peak. */
-static double x_below(const struct layer *out, const struct slow_point *p,
-                      double off)
-{
-    return p->x_peak > p->x
-               ? TOL_LAYER_FORGET * fabs(off * p->fibre.x) * exp(-p->x_folds)
-               : fmax(p->x - out->x.value, 0.0);
-}
-
-/* The peaks to come.  False: nearer to the curve they would be known better. */
-static bool add_peaks(struct landing *l, const struct slow_point *p, double y,
-                      double off, double *excess)
-{
-    struct layer *const out = l->out;
-    double aside;
-    const double most = mu_to_come(l, p, y, &aside);
-    const double part = TOL_SHARE * l->options.promise;
-    const double below = x_below(out, p, off);
-    const double unsure = most + aside > out->mu.value ? aside : 0.0;
-    const double much = fmax(unsure / fabs(out->mu.value), below) / part;
-
-    *excess = fmax(*excess, much);
-    if (much > 1.0 && fabs(off) > TOL_LAYER_MU_TOUCH)
-        return false;
-    layer_peak_raise(&out->x, p->x, below + TOL_LAYER_TRANSPORT * l->across);
-    layer_peak_raise(&out->x, p->x_peak, below);
-    layer_peak_raise(&out->mu, most, aside + p->mu_error);
-    out->mu_next = fmax(out->mu_next, most);
     return true;
 }
 
@@ -372,7 +310,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
         return false;
     if (!is_clear(l, p, y))
         return false;
-    if (l->options.peaks && !add_peaks(l, p, y, off, excess))
+    if (l->options.peaks && !layer_peaks_land(l, p, y, off, excess))
         return false;
     const struct landing_slope across =
         across_fibre(l, p, v / p->fast * e.x * (1.0 + 0.5 * d));

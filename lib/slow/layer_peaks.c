@@ -151,8 +151,9 @@ double layer_peak_error(const struct layer_peak *p)
     return fmax(p->error, p->most - p->value);
 }
 
-/* v has a peak where it rises at first and falls at last, mu may have one
- * anywhere. */
+/* v has a peak where it rises at first and falls at last, and none at the end
+ * of a step; mu may have one anywhere.  Rounding moves a value by what it moves
+ * its place by. */
 void layer_peaks_step(struct landing *l, double h, double across,
                       const struct explicit8 *stages, const double u1[],
                       const double du1[])
@@ -160,15 +161,96 @@ void layer_peaks_step(struct landing *l, double h, double across,
     const struct block *block = &l->curve->slider->block;
     struct layer *const out = l->out;
     const double mu0 = l->mu;
-    const double x_error = TOL_LAYER_TRANSPORT * across;
+    const struct vec2 to = { u1[LAYER_X], u1[LAYER_Y] };
+    const double x_error =
+        TOL_LAYER_TRANSPORT * across + slider_rounding(l->curve->slider, to);
     const double mu_error = (block->steep.x + block->steep.y) * x_error;
 
-    l->mu = block_mu(block, (struct vec2){ u1[LAYER_X], u1[LAYER_Y] });
-    layer_peak_raise(&out->x, u1[LAYER_X], x_error);
+    l->mu = block_mu(block, to);
     out->mu_next = fmax(out->mu_next, l->mu);
     layer_peak_raise(&out->mu, l->mu, mu_error);
     if (l->du[LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
         raise_on(l, h, stages, x_of, u1, x_error, &out->x);
     if (most_on(block, mu0, l->mu, h) > out->mu.most)
         raise_on(l, h, stages, mu_of, u1, mu_error, &out->mu);
+}
+
+/* ---- to come ------------------------------------------------------------- */
+
+/* Whether friction rises from here on. */
+static bool mu_rises(const struct landing *l)
+{
+    const struct block *b = &l->curve->slider->block;
+    const struct vec2 z = landing_place(l), dz = landing_way(l);
+    const struct vec2 ahead = { z.x + TOL_ASIDE * dz.x,
+                                z.y + TOL_ASIDE * dz.y };
+
+    return block_mu(b, ahead) > block_mu(b, z);
+}
+
+/* The largest friction to come, which is the curve's but for *aside.  What sets
+ * friction here apart from that on the curve only decays: where friction falls
+ * by now, and along the curve, there is none to come; and of a peak beyond the
+ * next knot, higher than all before it can be, only what is left by then. */
+static double mu_to_come(const struct landing *l, const struct slow_point *p,
+                         double y, double *aside)
+{
+    const struct block *b = &l->curve->slider->block;
+    const double mu = block_mu(b, (struct vec2){ p->x, y });
+    const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
+    const double near = is_ahead ? fmax(mu, p->mu_near) : mu;
+    const double apart = fabs(mu - block_mu(b, landing_place(l)));
+    const double wide = 2.0 * apart + TOL_LAYER_TRANSPORT * l->across *
+                                          (b->steep.x + b->steep.y);
+
+    *aside = near + wide < p->mu_peak
+                 ? TOL_LAYER_FORGET * apart * exp(-p->mu_folds)
+                 : wide;
+    return near == mu && !(p->mu_peak > mu) && !mu_rises(l)
+               ? -HUGE_VAL
+               : fmax(near, p->mu_peak);
+}
+
+/* How much faster the block may become than is known: as fast as on the curve,
+ * where that leads down from here; else by what is left beside its peak. */
+static double x_below(const struct layer *out, const struct slow_point *p,
+                      double off)
+{
+    return p->x_peak > p->x
+               ? TOL_LAYER_FORGET * fabs(off * p->fibre.x) * exp(-p->x_folds)
+               : fmax(p->x - out->x.value, 0.0);
+}
+
+/* Of ln v on the curve, which is as accurate as its orbit, but at the end. */
+static double curve_error(const struct landing *l, const struct slow_point *p,
+                          double x)
+{
+    const double wrong = TOL_BAR_FIRST_ORDER * TOL_REST_WRONG;
+
+    return x == p->x_end
+               ? p->x_end_error
+               : wrong * (1.0 + fabs(l->curve->slider->block.at.x0 + x));
+}
+
+bool layer_peaks_land(struct landing *l, const struct slow_point *p, double y,
+                      double off, double *excess)
+{
+    struct layer *const out = l->out;
+    double aside;
+    const double most = mu_to_come(l, p, y, &aside);
+    const double part = TOL_SHARE * l->options.promise;
+    const double below = x_below(out, p, off);
+    const double unsure = most + aside > out->mu.value ? aside : 0.0;
+    const double much = fmax(unsure / fabs(out->mu.value), below) / part;
+
+    *excess = fmax(*excess, much);
+    if (much > 1.0 && fabs(off) > TOL_LAYER_MU_TOUCH)
+        return false;
+    layer_peak_raise(&out->x, p->x,
+                     below + TOL_LAYER_TRANSPORT * l->across +
+                         curve_error(l, p, p->x));
+    layer_peak_raise(&out->x, p->x_peak, below + curve_error(l, p, p->x_peak));
+    layer_peak_raise(&out->mu, most, aside + p->mu_error);
+    out->mu_next = fmax(out->mu_next, most);
+    return true;
 }

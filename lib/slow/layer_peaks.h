@@ -16,6 +16,12 @@ void layer_peaks_step(struct landing *l, double h, double across,
                       const struct explicit8 *stages, const double u1[],
                       const double du1[]);
 
+/* Those to come of one that lands at p, the curve's point at y, `off` along its
+ * fibre.  False: nearer to the curve they would be known better than *excess
+ * says, as a part of what is wanted. */
+bool layer_peaks_land(struct landing *l, const struct slow_point *p, double y,
+                      double off, double *excess);
+
 /* One more value. */
 void layer_peak_raise(struct layer_peak *p, double value, double error);
 

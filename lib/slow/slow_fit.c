@@ -224,6 +224,27 @@ static void widen(double *from, double *to, double error)
     *to = fmax(*to, error);
 }
 
+/* What friction is off because knots are, `beside` at their y and by rounding;
+ * between knots that are not landed on it is the orbit's, as accurate as
+ * that. */
+static void add_places(const struct slider *s, struct slow_branch *b)
+{
+    const struct vec2 m = s->block.steep;
+    struct slow_knot *const k = b->knot;
+
+    for (size_t i = 0; i < b->count; i++) {
+        const struct slow_knot *f = &k[i > 0 ? i - 1 : 0];
+        const struct vec2 z = { k[i].x, k[i].y };
+        const double off = fmax(fabs(f->beside), fabs(k[i].beside));
+        const double least =
+            isfinite(f->gap) && isfinite(k[i].gap)
+                ? slider_rounding(s, z)
+                : TOL_REST_WRONG * (1.0 + fabs(s->block.at.x0 + z.x));
+        k[i].mu_error +=
+            TOL_BAR_FIRST_ORDER * (m.x * off + (m.x + m.y) * least);
+    }
+}
+
 void slow_fit_judge(const struct slider *s, struct slow_branch *b)
 {
     const double a = s->block.steep.x;
@@ -247,6 +268,7 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
         widen(&k[i].mu_error, &k[i + 1].mu_error,
               a * missed_of(fabs(x), fabs(k[i].x_slope) * noise + bent));
     }
+    add_places(s, b);
     judge_peaks(b);
 }
 

@@ -97,8 +97,7 @@
 /* Many states by the slow curve (fast_cells.c).  One whose bars are too wide
  * is tried finer; above what part of its bars a try has left one
  * TOL_RETRY times, and then no more, for they are the table's
- * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT.  The least bar of a peak, in its
- * logarithm, is the table's, TOL_BAR_FIRST_ORDER TOL_REST_WRONG. */
+ * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT. */
 
 /* Peaks are sampled for patches no finer than this, with bars so many times as
  * wide. */

@@ -197,6 +197,35 @@ static void states_beyond_the_slow_curve_take_their_whole_orbits(void **state)
     drop(&p);
 }
 
+/* Orbits that rise all the way are as fast as the slow curve where it ends, in
+ * the box of the sliding node, which no table's interpolation knows better. */
+static void a_peak_at_the_end_is_known_to_rounding(void **state)
+{
+    uint64_t seed = check_seed();
+    double first = 0.0, bar = 0.0;
+    size_t rise = 0;
+    struct place p;
+
+    (void) state;
+    make(&p, "spinodal_gen", "0.34");
+    for (int i = 0; i < 100; i++) {
+        const struct vec2 z = { check_uniform(&seed, -1.0, 8.0),
+                                check_uniform(&seed, -8.0, 2.0) };
+        struct cell c;
+        find(&p, &z, 1, 1e-6, 1u << CELL_V_PEAK, &c);
+        if (c.exit_reason != FATE_SLIDING || !(c.v_peak > 1.1 * exp(z.x)))
+            continue;
+        first = rise == 0 ? c.v_peak : first;
+        bar = fmax(bar, c.v_peak_error);
+        rise++;
+        CHECK(fabs(c.v_peak - first) <= bar && bar < 1e-13 * first,
+              "(%.17g, %.17g): %.17g +- %g, not %.17g", z.x, z.y, c.v_peak, bar,
+              first);
+    }
+    assert_true(rise > 10);
+    drop(&p);
+}
+
 static void wrong_arguments_and_monitors_are_answered(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
@@ -245,6 +274,7 @@ int main(void)
         cmocka_unit_test(most_states_need_no_whole_orbit),
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(states_beyond_the_slow_curve_take_their_whole_orbits),
+        cmocka_unit_test(a_peak_at_the_end_is_known_to_rounding),
         cmocka_unit_test(wrong_arguments_and_monitors_are_answered),
         cmocka_unit_test(every_allocation_may_fail),
     };
