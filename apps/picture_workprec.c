@@ -36,8 +36,6 @@ static const struct look looks[] = {
     { "slipway", "Slipway", OURS(FIGURE_HIGHLIGHT, FIGURE_SOLID), FIGURE_DISC },
     { "slow_curve", "slow curve", OURS(FIGURE_HIGHLIGHT, FIGURE_DASHED),
       FIGURE_SQUARE },
-    { "backward", "backward orbits", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID),
-      FIGURE_DISC },
     { "radau", "Radau", OURS(FIGURE_EQUILIBRIUM, FIGURE_SOLID), FIGURE_SQUARE },
     { "explicit8", "Dormand–Prince 8", OURS(FIGURE_EQUILIBRIUM, FIGURE_DASHED),
       FIGURE_CIRCLE },
@@ -54,7 +52,7 @@ static const struct look looks[] = {
     { "arkode_erk8", "ARKODE, Fehlberg 8", THEIRS(2, FIGURE_DOTTED),
       FIGURE_DIAMOND },
 };
-enum { LOOKS = sizeof looks / sizeof *looks, OURS_COUNT = 5 };
+enum { LOOKS = sizeof looks / sizeof *looks, OURS_COUNT = 4 };
 
 const char *const picture_workprec_panel[] = { "_v_plus",    "_v_minus",
                                                "_x_excess",  "_curve",

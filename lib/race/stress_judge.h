@@ -12,8 +12,8 @@ enum stress_outcome {
     STRESS_EXACT,    /* every number within its bar by the oracle, and its
                         digits within STRESS_MISSING of what conditioning
                         allows */
-    STRESS_DEGRADED, /* no lie, but digits, the oracle's word or the second
-                        route's are missing: the reason says which */
+    STRESS_DEGRADED, /* no lie, but digits or the oracle's word are missing: the
+                        reason says which */
     STRESS_NONE,     /* what was asked for does not exist; so says the oracle */
     STRESS_FAILED,   /* the program said that it could not */
     STRESS_LIE, /* further off than the bar, or a wrong existence or fate */
@@ -21,7 +21,8 @@ enum stress_outcome {
 };
 extern const char *const stress_outcome_names[];
 
-enum stress_agreement { STRESS_DISAGREE, STRESS_AGREE }; /* -1: neither */
+/* Of a state and of labels; -1: of a slope there is one route. */
+enum stress_agreement { STRESS_DISAGREE, STRESS_AGREE };
 
 /* What the program says of a slope. */
 struct stress_answer {
@@ -37,6 +38,6 @@ const struct quantity *stress_answer_number(const struct stress_answer *a,
                                             enum stress_number which);
 
 /* Of a slope: outcome and reason, digits, allowed, missing, bar and worst of
- * the row, whose routes agree or not. */
+ * the row. */
 void stress_judge(const struct stress_truth *t, const struct stress_answer *a,
                   struct stress_row *row);

@@ -35,7 +35,6 @@ enum {
 };
 static const struct entrant own[] = {
     { "slipway", false, ALL, WORKPREC_SLIPWAY, NULL },
-    { "backward", false, ALL & ~MOTION, WORKPREC_BACKWARD, NULL },
     { "radau", false, MOTION, WORKPREC_RADAU, NULL },
     { "slow_curve", false, SLIP, WORKPREC_SLOW, NULL },
 };

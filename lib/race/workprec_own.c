@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "backward.h"
 #include "fast_cells.h"
 #include "grow.h"
 #include "study_tolerance.h"
@@ -67,13 +66,15 @@ static enum status grow_both(const struct maker *m,
     return s;
 }
 
-static enum status grow_sides(const struct maker *m, const bool wanted[],
+static enum status make_sides(const struct maker *m, const bool wanted[],
                               struct branch branch[WORKPREC_SIDES])
 {
     const struct planar *sys = &m->c->study->slider.plane.system;
     struct grow_options o = grow_defaults(m->tol);
     struct local_series u;
 
+    for (int i = 0; i < WORKPREC_SIDES; i++)
+        branch[i] = (struct branch){ .end = BRANCH_STEPS };
     o.carry = m->carry;
     o.reach = m->window;
     enum status s = local_at(sys, m->c->saddle, MANIFOLD_STABLE, &m->carry,
@@ -87,33 +88,6 @@ static enum status grow_sides(const struct maker *m, const bool wanted[],
     s = grow_branch(sys, &u, side == SIDE_UPPER ? up : -up, &o, &branch[side]);
     count(m, &branch[side], o.order);
     return s;
-}
-
-static enum status backward_sides(const struct maker *m, const bool wanted[],
-                                  struct branch branch[WORKPREC_SIDES])
-{
-    struct backward_options o = backward_defaults(m->tol);
-    enum status s = STATUS_OK;
-
-    o.carry = m->carry;
-    for (int i = 0; i < WORKPREC_SIDES && s == STATUS_OK; i++) {
-        if (!wanted[i])
-            continue;
-        s = backward_branch(&m->c->study->slider.plane.system, m->c->saddle,
-                            i == SIDE_UPPER ? 1 : -1, &o, &branch[i]);
-        m->out->calls += branch[i].evaluations;
-        m->out->steps += branch[i].steps;
-    }
-    return s;
-}
-
-static enum status make_sides(const struct maker *m, const bool wanted[],
-                              struct branch branch[WORKPREC_SIDES])
-{
-    for (int i = 0; i < WORKPREC_SIDES; i++)
-        branch[i] = (struct branch){ .end = BRANCH_STEPS };
-    return m->how == WORKPREC_BACKWARD ? backward_sides(m, wanted, branch)
-                                       : grow_sides(m, wanted, branch);
 }
 
 static void report(struct workprec_answer *out, const struct quantity *q)

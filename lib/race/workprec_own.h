@@ -7,12 +7,11 @@
 #include "workprec_answer.h"
 
 enum workprec_own {
-    WORKPREC_SLIPWAY,  /* what a study does by default: Taylor series in the
-                          chart (grow.h); two orbits of tolerances ten apart;
-                          whole orbits with bars (cells.h) */
-    WORKPREC_BACKWARD, /* the second route, an orbit (backward.h) */
-    WORKPREC_RADAU,    /* one orbit (orbit.h, fate.h) */
-    WORKPREC_SLOW, /* slow_curve.h; its table, made once a slope, is given */
+    WORKPREC_SLIPWAY, /* what a study does by default: Taylor series in the
+                         chart (grow.h); two orbits of tolerances ten apart;
+                         whole orbits with bars (cells.h) */
+    WORKPREC_RADAU,   /* one orbit (orbit.h, fate.h) */
+    WORKPREC_SLOW,    /* slow_curve.h; its table, made once a slope, is given */
 };
 
 /* What is made once a slope, and not part of any run; owned. */

@@ -140,7 +140,7 @@ static void what_lied_once_lies_no_more(void **state)
                    &scene, &study);
         stress_truth_find(&scene.law, &scene.material, scene.tan_alpha, &truth);
         const struct stress_answer answer = stress_answer_of(&study);
-        struct stress_row v = { .agree = STRESS_AGREE };
+        struct stress_row v = { .agree = -1 };
         stress_judge(&truth, &answer, &v);
         CHECK(v.outcome != STRESS_LIE || !slider_has_manifolds(&study.slider),
               "%zu: %s %s", i, v.reason, v.worst ? v.worst : "");

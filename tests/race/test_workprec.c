@@ -312,12 +312,11 @@ static void race(struct workprec *w, struct scene *scene, const char *law)
         fail_msg("%s: %s", law, why.text);
 }
 
-/* Whether a method promises a bar: the second route on its limits only. */
+/* Whether a method promises a bar. */
 static bool has_bar(const struct workprec_run *r)
 {
     return strcmp(r->method, "slipway") == 0 ||
-           strcmp(r->method, "slow_curve") == 0 ||
-           (strcmp(r->method, "backward") == 0 && r->quantity < WORKPREC_CURVE);
+           strcmp(r->method, "slow_curve") == 0;
 }
 
 /* Ours have bars where they promise them, which hold, and never fail so. */
