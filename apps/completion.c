@@ -7,6 +7,7 @@
 #include "law.h"
 #include "options.h"
 #include "schema.h"
+#include "texts.h"
 #include "value.h"
 
 /* ---- what may follow ----------------------------------------------------- */
@@ -126,68 +127,9 @@ void completion_offer(FILE *out, const char *const word[], size_t count)
 
 static const struct {
     const char *shell, *script;
-} shells[] = {
-    { "bash",
-      "# bash completion for slipway; made by: slipway help --as bash\n"
-      "_slipway() {\n"
-      "    local now=${2#=} word text more\n"
-      "    COMPREPLY=()\n"
-      "    while IFS=$'\\t' read -r word text; do\n"
-      "        case $word in\n"
-      "        :file)\n"
-      "            compopt -o filenames 2>/dev/null\n"
-      "            mapfile -t more < <(compgen -f -X \"!$text\" -o plusdirs "
-      "-- \"$now\")\n"
-      "            COMPREPLY+=(\"${more[@]}\") ;;\n"
-      "        :folder)\n"
-      "            compopt -o filenames 2>/dev/null\n"
-      "            mapfile -t more < <(compgen -d -- \"$now\")\n"
-      "            COMPREPLY+=(\"${more[@]}\") ;;\n"
-      "        *)\n"
-      "            [[ $word != *= ]] || compopt -o nospace 2>/dev/null\n"
-      "            COMPREPLY+=(\"$word\") ;;\n"
-      "        esac\n"
-      "    done < <(\"${COMP_WORDS[0]}\" help --as complete -- "
-      "\"${COMP_WORDS[@]:1:COMP_CWORD}\" 2>/dev/null)\n"
-      "}\n"
-      "complete -F _slipway slipway\n" },
-    { "zsh", "#compdef slipway\n"
-             "# made by: slipway help --as zsh\n"
-             "_slipway() {\n"
-             "    local -a found settings\n"
-             "    local word text\n"
-             "    while IFS=$'\\t' read -r word text; do\n"
-             "        case $word in\n"
-             "        :file) _files -g \"$text\" ;;\n"
-             "        :folder) _files -/ ;;\n"
-             "        *=) settings+=(\"$word\") ;;\n"
-             "        *) found+=(\"${word//:/\\\\:}${text:+:}$text\") ;;\n"
-             "        esac\n"
-             "    done < <($words[1] help --as complete -- "
-             "\"${(@)words[2,CURRENT]}\" 2>/dev/null)\n"
-             "    (( $#settings )) && compadd -S '' -a settings\n"
-             "    (( $#found )) && _describe slipway found\n"
-             "}\n"
-             "_slipway \"$@\"\n" },
-    { "fish",
-      "# made by: slipway help --as fish\n"
-      "function __slipway\n"
-      "    set -l typed (commandline -opc) (commandline -ct)\n"
-      "    for line in ($typed[1] help --as complete -- $typed[2..] "
-      "2>/dev/null)\n"
-      "        set -l part (string split \\t -- $line)\n"
-      "        switch $line\n"
-      "            case ':file*'\n"
-      "                __fish_complete_suffix (string sub -s 2 -- $part[2])\n"
-      "            case ':folder*'\n"
-      "                __fish_complete_directories\n"
-      "            case '*'\n"
-      "                echo $line\n"
-      "        end\n"
-      "    end\n"
-      "end\n"
-      "complete -c slipway -f -a '(__slipway)'\n" },
-};
+} shells[] = { { "bash", text_bash },
+               { "zsh", text_zsh },
+               { "fish", text_fish } };
 
 void completion_print(FILE *out, const char *shell)
 {

@@ -6,36 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char head[] =
-    "<!DOCTYPE html>\n"
-    "<html lang=\"en\">\n"
-    "<head>\n"
-    "<meta charset=\"utf-8\">\n"
-    "<meta name=\"viewport\" content=\"width=device-width\">\n"
-    "<title>Slipway: the figures</title>\n"
-    "<style>\n"
-    "body { margin: 0 auto; max-width: 60rem; padding: 1rem 1.5rem;\n"
-    "       font: 1rem/1.5 system-ui, sans-serif; color: #222; }\n"
-    "nav a { display: inline-block; margin-right: .8rem; }\n"
-    "figure { margin: 2.5rem 0; border-top: 1px solid #ccc; }\n"
-    "figure h2 { margin: 1rem 0 .5rem; font-size: 1.25rem; }\n"
-    "figure img { width: 100%; height: auto; display: block; }\n"
-    "figure.many img { width: 49%; display: inline-block; }\n"
-    "figcaption p { margin: .4rem 0; }\n"
-    "code { background: #f3f3f3; padding: .1rem .3rem; }\n"
-    ".failed { color: #b2001d; }\n"
-    "a { color: #0072b2; }\n"
-    "</style>\n"
-    "</head>\n"
-    "<body>\n"
-    "<h1>Slipway: the figures</h1>\n"
-    "<p>Steady and transient sliding under rate-and-state friction, after\n"
-    "T. Putelat and J.H.P. Dawes, <cite>J. Mech. Phys. Solids</cite> (2015),\n"
-    "<a href=\"https://doi.org/10.1016/j.jmps.2015.01.016\">doi "
-    "10.1016/j.jmps.2015.01.016</a>. Every figure is\n"
-    "computed from the scene beside it; change a number there and run it "
-    "again.</p>\n";
-
 /* As text, also inside quotes. */
 static void put_text(FILE *out, const char *text)
 {
@@ -133,7 +103,7 @@ char *page_text(const struct gallery_entry entry[], size_t count, bool scripts)
 
     if (out == NULL)
         return NULL;
-    fputs(head, out);
+    fputs(text_gallery, out);
     put(out, "<nav>\n");
     for (size_t i = 0; i < count; i++)
         put(out, "<a href=\"#figure-%i\">%t</a>\n", i + 1, entry[i].name);

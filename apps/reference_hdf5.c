@@ -20,57 +20,9 @@
 #include "sweep_key.h"
 #include "sweep_layer.h"
 #include "system.h"
+#include "texts.h"
 #include "value.h"
 #include "workprec.h"
-
-static const char head[] =
-    "# Result files\n"
-    "\n"
-    "HDF5 as netCDF-4 wants it: h5py, xarray, netCDF4, ncdump and MATLAB read\n"
-    "it. A file holds the groups below that its command and products give; a\n"
-    "group with a K is there once for each K = 0, 1, 2, ..., all with as many\n"
-    "digits (trajectory_01 beside trajectory_10); {a,b} stands for\n"
-    "as many names. Numbers are dimensionless where no other unit stands: "
-    "slip\n"
-    "in L, slip rate in V_star, time in L/V_star, all in `/provenance`.\n"
-    "\n"
-    "Each data set has the attribute `long_name`, its meaning below, each but\n"
-    "texts `units` (UDUNITS; 1: none). Where the unit below is V_star or L or\n"
-    "made of them, `units` is 1 and the attribute `scale` says it: times "
-    "that,\n"
-    "of `/provenance`, the number is in m, s, m/s, 1/s. What a data set is "
-    "over\n"
-    "(along) is a dimension scale of its own group: a coordinate in xarray's\n"
-    "words.\n"
-    "\n"
-    "| kind | stored as | when missing |\n"
-    "|---|---|---|\n"
-    "| real | float64, `_FillValue` but for coordinates | NaN |\n"
-    "| count | int64 | |\n"
-    "| code | int8, `_FillValue`, `flag_values` 0, 1, ... for the words in "
-    "`flag_meanings` | -1 |\n"
-    "| text | UTF-8 of variable length | empty |\n"
-    "| number | NAME, NAME_error, NAME_exists and what follows | NaN |\n"
-    "\n"
-    "A number comes with companions: the real NAME_error, a bound on its\n"
-    "absolute error in its own unit; the code NAME_exists (absent, present);\n"
-    "where some are absent, why: a text NAME_reason for each, or of a single\n"
-    "number the attribute `comment` of NAME; with the product sensitivities\n"
-    "NAME_conditioning, the relative error from rounding the inputs; of a "
-    "scene\n"
-    "with inputs X +- S NAME_spread, the standard deviation that their "
-    "scatter\n"
-    "makes of the number, to first order. With accuracy.proved, of numbers of\n"
-    "the slope, the code NAME_proved (not_proved, enclosed; absent: that "
-    "there\n"
-    "is none is proved), the reals NAME_lo and NAME_hi between which the "
-    "number\n"
-    "is, and where some are not proved, why: a text NAME_not_proved for each, "
-    "or\n"
-    "of a single number the attribute `comment` of NAME_proved. In a sweep\n"
-    "NAME_lo and NAME_hi are numbers of their own, with NAME_lo_exists.\n"
-    "\n"
-    "This page is written by `slipway help --as hdf5`.\n";
 
 enum { RESULTS_MAX = 128 };
 
@@ -470,7 +422,7 @@ static enum status put_systems(FILE *out)
 
 enum status reference_hdf5(FILE *out)
 {
-    fputs(head, out);
+    fputs(text_hdf5, out);
     fputs("\n## Groups\n", out);
     put_groups(out);
     enum status status = put_sweep(out);

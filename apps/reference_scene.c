@@ -6,32 +6,8 @@
 #include "markdown.h"
 #include "plan.h"
 #include "schema.h"
+#include "texts.h"
 #include "value.h"
-
-static const char head[] =
-    "# Scenes\n"
-    "\n"
-    "A scene is a YAML file that says what to compute. A law is all it must\n"
-    "have, and nearly always a slope:\n"
-    "\n"
-    "    law: {preset: spinodal_gen}\n"
-    "    slope: {alpha: 0.34}\n"
-    "    products: [equilibria, manifolds, knees]\n"
-    "    output: {hdf5: outputs/mine.h5}\n"
-    "\n"
-    "`section.key` below is a key in a map, as `slope.alpha` above. On the\n"
-    "command line `--set slope.alpha=0.3` sets any of them, and wins over the\n"
-    "file. A key that is not in this list is an error. Numbers are decimal,\n"
-    "with a point. Those in V_star, L or L/V_star below may have a unit "
-    "behind\n"
-    "them, `8e-3 m/s` or `8000 V_star`, `5 s` or `5 L/V_star`, `1e-6 m` or\n"
-    "`1 L`; one without is in m/s, m or s beside `units: si`. Those of\n"
-    "material and slope, and gravity, may have a scatter, `0.0349 +- 0.0005`,\n"
-    "a standard deviation: knees, portrait, study and basin tell what it "
-    "makes\n"
-    "of each number, `ensemble` draws them.\n"
-    "\n"
-    "This page is written by `slipway help --as scene`.\n";
 
 /* ---- keys ---------------------------------------------------------------- */
 
@@ -188,7 +164,7 @@ static void put_stages(FILE *out)
 
 void reference_scene(FILE *out)
 {
-    fputs(head, out);
+    fputs(text_scene, out);
     put_keys(out);
     put_laws(out);
     put_products(out);

@@ -8,18 +8,10 @@
 #include "moment.h"
 #include "records.h"
 #include "stress_judge.h"
+#include "texts.h"
 #include "transient.h"
 #include "workprec_rank.h"
 #include "workprec_task.h"
-
-static const char head[] =
-    "# Exit codes and words\n"
-    "\n"
-    "The words are the same in tables, JSON and files. In HDF5 a word is its\n"
-    "code, -1 where there is none. Why a number is missing is a sentence:\n"
-    "`reasons.md` explains them.\n"
-    "\n"
-    "This page is written by `slipway help --as words`.\n";
 
 enum { MEANINGS = 16 };
 
@@ -129,7 +121,7 @@ static void put_quantities(FILE *out)
 
 void reference_words(FILE *out)
 {
-    fputs(head, out);
+    fputs(text_words, out);
     put_exits(out);
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         put_list(out, &lists[i]);
