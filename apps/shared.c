@@ -3,14 +3,101 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "command.h"
 #include "crew.h"
+#include "origin.h"
+#include "output.h"
 #include "parts.h"
 #include "progress.h"
+#include "provenance.h"
 #include "replace.h"
-#include "side_file.h"
 #include "sweep.h"
+
+/* ---- side file ----------------------------------------------------------- */
+
+/* FILE.h5.part of the scene's file, owned by the caller; NULL without a file or
+ * memory. */
+static char *side_file_of(const struct scene *c)
+{
+    const size_t size = c->hdf5 ? strlen(c->hdf5) + sizeof ".part" : 0;
+    char *path = size ? malloc(size) : NULL;
+
+    if (path)
+        snprintf(path, size, "%s.part", c->hdf5);
+    return path;
+}
+
+static enum status is_of(const char *path, const char *command,
+                         const char *expected, struct fault *why)
+{
+    if (strcmp(command, expected) == 0)
+        return STATUS_OK;
+    snprintf(why->text, sizeof why->text,
+             "%.300s: made by %.40s, expected a file of this %s (without "
+             "--resume it is replaced)",
+             path, command, expected);
+    return STATUS_BAD_SCENE;
+}
+
+static enum status is_sweep(const char *path, const char *command,
+                            struct fault *why)
+{
+    return is_of(path, command, "sweep", why);
+}
+
+static enum status is_ensemble(const char *path, const char *command,
+                               struct fault *why)
+{
+    return is_of(path, command, "ensemble", why);
+}
+
+/* A file that is there already is this run's own, which was finished. */
+static enum status check_finished(const struct scene *c, const char *command,
+                                  struct fault *why)
+{
+    struct origin was;
+    const bool sweeps = strcmp(command, "sweep") == 0;
+    enum status s =
+        origin_read(c->hdf5, sweeps ? is_sweep : is_ensemble, &was, why);
+    char *overrides = s == STATUS_OK ? provenance_overrides(c) : NULL;
+
+    if (s == STATUS_OK && overrides == NULL)
+        s = STATUS_NO_MEMORY;
+    if (s == STATUS_OK && (strcmp(was.scene, c->text) != 0 ||
+                           strcmp(was.overrides, overrides) != 0)) {
+        snprintf(why->text, sizeof why->text,
+                 "%.300s: of another scene, expected a file of this %s "
+                 "(without --resume it is replaced)",
+                 c->hdf5, command);
+        s = STATUS_BAD_SCENE;
+    }
+    free(overrides);
+    free(was.held);
+    return s;
+}
+
+/* output_check, and with --resume what there is to go on with: the side file
+ * says what it is of; where there is none, a file that was finished is of this
+ * command and scene. */
+static enum status side_file_check(const struct options *o,
+                                   const struct scene *c, const char *command,
+                                   const char *journal,
+                                   const char *const panel[], struct fault *why)
+{
+    if (o->resume && c->hdf5 == NULL) {
+        snprintf(why->text, sizeof why->text,
+                 "%s: --resume without a file, expected -o FILE.h5", command);
+        return STATUS_BAD_SCENE;
+    }
+    const enum status s = output_check(o, c, c->figure, panel, why);
+    return s == STATUS_OK && o->resume && access(journal, F_OK) != 0 &&
+                   access(c->hdf5, F_OK) == 0
+               ? check_finished(c, command, why)
+               : s;
+}
 
 /* What all ways of running it have in common. */
 struct shared {
@@ -52,8 +139,7 @@ static enum status join(const struct shared *h, const struct parts *parts,
     return status;
 }
 
-/* ---- alone ----------------------------------------------------------------
- */
+/* ---- alone --------------------------------------------------------------- */
 
 static enum status run_alone(const struct shared *h)
 {
@@ -70,8 +156,7 @@ static enum status run_alone(const struct shared *h)
     return status;
 }
 
-/* ---- a share --------------------------------------------------------------
- */
+/* ---- a share ------------------------------------------------------------- */
 
 /* Every `shares`-th task. */
 static size_t next_of_share(void *ctx, size_t count)
@@ -102,8 +187,7 @@ static enum status run_share(const struct shared *h)
     return status;
 }
 
-/* ---- ranks ----------------------------------------------------------------
- */
+/* ---- ranks --------------------------------------------------------------- */
 
 static size_t next_of_nobody(void *ctx, size_t count)
 {
@@ -179,8 +263,7 @@ static enum status run_ranks(struct shared *h)
     return status;
 }
 
-/* ---- the whole ------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 static enum status complain(const struct shared *h, const char *what)
 {
@@ -222,8 +305,7 @@ static enum status run_whole(struct shared *h, bool *whole)
     return status;
 }
 
-/* ---- what it leaves -------------------------------------------------------
- */
+/* ---- what it leaves ------------------------------------------------------ */
 
 static enum status write_files(const struct shared *h)
 {

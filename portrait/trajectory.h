@@ -70,7 +70,7 @@ MUST_CHECK enum status trajectory_run(const struct planar *system,
 
 /* `count` orbits, each through a point as far as can be from those before it,
  * from what is drawn and from the frame's mirror image, and each from where it
- * comes into the window (streamline.h), or from that point where it is halfway.
+ * comes into the window (trajectory.c), or from that point where it is halfway.
  * Otherwise as trajectory_run. */
 MUST_CHECK enum status trajectory_spread(
     const struct planar *system, const struct window *window, size_t count,
