@@ -178,6 +178,8 @@ def compilers(root, build):
     commands = {}
     for entry in entries:
         source = os.path.join(entry['directory'], entry['file'])
+        if os.path.realpath(source).startswith(os.path.realpath(build)):
+            continue  # made by the build
         folder = os.path.relpath(os.path.dirname(os.path.realpath(source)),
                                  os.path.realpath(root))
         words = shlex.split(entry['command'])
