@@ -45,7 +45,7 @@ static inline void quad_side_rates(const void *ctx, quad s, const quad u[2],
     struct quad_field f;
 
     (void) s;
-    quad_block_field(&o->law, &o->at, u[0], u[1], &f);
+    quad_block_field(&o->at, u[0], u[1], &f);
     const quad size = sqrtq(f.direction[0] * f.direction[0] +
                             f.direction[1] * f.direction[1]);
     const quad r = sqrtq(u[0] * u[0] + u[1] * u[1]);

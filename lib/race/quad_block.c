@@ -64,27 +64,24 @@ void quad_block_anchor(const struct law *law, const struct material *m,
     (void) fits;
 }
 
-void quad_block_field(const struct law *law, const struct quad_anchor *at,
-                      quad X, quad Y, struct quad_field *f)
+void quad_block_field(const struct quad_anchor *at, quad X, quad Y,
+                      struct quad_field *f)
 {
     quad mu;
 
-    (void) law; /* at knows it */
     quad_tape_field(&at->tape, X, Y, f->direction, &f->log_scale, &mu);
 }
 
-quad quad_block_mu(const struct law *law, const struct quad_anchor *at, quad X,
-                   quad Y)
+quad quad_block_mu(const struct quad_anchor *at, quad X, quad Y)
 {
     quad rate[2], scale, mu;
 
-    (void) law;
     quad_tape_field(&at->tape, X, Y, rate, &scale, &mu);
     return mu;
 }
 
-quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
-                     enum block_observable which, quad X, quad Y)
+quad quad_block_rate(const struct quad_anchor *at, enum block_observable which,
+                     quad X, quad Y)
 {
     switch (which) {
         case BLOCK_SLIP:
@@ -92,6 +89,6 @@ quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
         case BLOCK_EXCESS:
             return scalar_expm1(at->v0, at->x0, X);
         default: /* BLOCK_WORK */
-            return quad_block_mu(law, at, X, Y) * expq(at->x0 + X);
+            return quad_block_mu(at, X, Y) * expq(at->x0 + X);
     }
 }

@@ -33,11 +33,10 @@ void quad_block_anchor(const struct law *law, const struct material *m,
                        struct quad_anchor *at);
 
 /* The field and the rate of an observable at an offset from the anchor. */
-void quad_block_field(const struct law *law, const struct quad_anchor *at,
-                      quad X, quad Y, struct quad_field *f);
-quad quad_block_rate(const struct law *law, const struct quad_anchor *at,
-                     enum block_observable which, quad X, quad Y);
+void quad_block_field(const struct quad_anchor *at, quad X, quad Y,
+                      struct quad_field *f);
+quad quad_block_rate(const struct quad_anchor *at, enum block_observable which,
+                     quad X, quad Y);
 
 /* mu(v, psi) there. */
-quad quad_block_mu(const struct law *law, const struct quad_anchor *at, quad X,
-                   quad Y);
+quad quad_block_mu(const struct quad_anchor *at, quad X, quad Y);

@@ -41,7 +41,7 @@ static quad field_at(const struct grower *g, const quad z[2], quad rate[2])
 {
     struct quad_field f;
 
-    quad_block_field(g->law, g->at, z[0], z[1], &f);
+    quad_block_field(g->at, z[0], z[1], &f);
     rate[0] = f.direction[0];
     rate[1] = f.direction[1];
     g->out->evaluations++;
@@ -54,8 +54,7 @@ static void slopes(const struct grower *g, quad ind, quad dep, quad out[2])
     const quad z[2] = { g->ind == 0 ? ind : dep, g->ind == 0 ? dep : ind };
     quad f[2];
     const quad scale = field_at(g, z, f);
-    const quad excess =
-        quad_block_rate(g->law, g->at, BLOCK_EXCESS, z[0], z[1]);
+    const quad excess = quad_block_rate(g->at, BLOCK_EXCESS, z[0], z[1]);
 
     out[0] = f[1 - g->ind] / f[g->ind];
     out[1] = excess * expq(-scale) / f[g->ind];

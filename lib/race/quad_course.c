@@ -23,8 +23,7 @@ void quad_course_field(const struct quad_course *c, const quad z[2], quad du[])
 {
     struct quad_field f;
 
-    quad_block_field(&c->slope->study->slider.block.law, &c->slope->at, z[0],
-                     z[1], &f);
+    quad_block_field(&c->slope->at, z[0], z[1], &f);
     const bool fast = f.log_scale > 0;
     const quad unit = fast ? 1 : expq(f.log_scale);
     const quad a = fast ? expq(-f.log_scale) : 1;
@@ -47,9 +46,7 @@ static void integrals(const void *ctx, const quad z[2], quad du[])
     const struct quad_course *c = ctx;
 
     du[QUAD_SLIP] = expq(c->slope->at.x0 + z[0]) * du[QUAD_TIME];
-    du[QUAD_WORK] = quad_block_mu(&c->slope->study->slider.block.law,
-                                  &c->slope->at, z[0], z[1]) *
-                    du[QUAD_SLIP];
+    du[QUAD_WORK] = quad_block_mu(&c->slope->at, z[0], z[1]) * du[QUAD_SLIP];
 }
 
 static struct vec2 rounded(const quad z[2])

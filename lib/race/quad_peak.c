@@ -25,8 +25,7 @@ static void find_rise(const struct quad_course *c, const quad z[2],
 void quad_peak_note(struct quad_course *c, const quad u[])
 {
     const quad v = expq(c->slope->at.x0 + u[QUAD_X]);
-    const quad mu = quad_block_mu(&c->slope->study->slider.block.law,
-                                  &c->slope->at, u[QUAD_X], u[QUAD_Y]);
+    const quad mu = quad_block_mu(&c->slope->at, u[QUAD_X], u[QUAD_Y]);
 
     c->v_peak = c->steps == 0 || v > c->v_peak ? v : c->v_peak;
     c->mu_peak = c->steps == 0 || mu > c->mu_peak ? mu : c->mu_peak;

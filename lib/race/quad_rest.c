@@ -22,7 +22,7 @@ static quad excess(const struct quad_course *c, quad x, quad y)
 {
     const struct block *b = &c->slope->study->slider.block;
 
-    return quad_block_mu(&b->law, &c->slope->at, x, y) - (quad) b->tan_alpha;
+    return quad_block_mu(&c->slope->at, x, y) - (quad) b->tan_alpha;
 }
 
 /* *x: from a guess to where friction balances the slope at y; secants, for
@@ -54,7 +54,7 @@ static bool density(const struct quad_course *c, enum quad_left what, quad y,
 
     if (!balance(c, y, x))
         return false;
-    quad_block_field(&c->slope->study->slider.block.law, at, *x, y, &f);
+    quad_block_field(at, *x, y, &f);
     const quad log_v = what == QUAD_LEFT_SLIP ? at->x0 + *x : 0;
     *out = expq(log_v - f.log_scale) / f.direction[1];
     return *out >= 0 && *out - *out == 0;

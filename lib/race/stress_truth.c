@@ -85,9 +85,8 @@ static void differences(const struct finder *f, int j, quad column[2])
     const quad h = STRESS_ORACLE_NEAR / (1 + psi);
     struct quad_field to, from;
 
-    quad_block_field(f->law, &f->out->at, j == 0 ? h : 0, j == 1 ? h : 0, &to);
-    quad_block_field(f->law, &f->out->at, j == 0 ? -h : 0, j == 1 ? -h : 0,
-                     &from);
+    quad_block_field(&f->out->at, j == 0 ? h : 0, j == 1 ? h : 0, &to);
+    quad_block_field(&f->out->at, j == 0 ? -h : 0, j == 1 ? -h : 0, &from);
     for (int i = 0; i < 2; i++)
         column[i] = (to.direction[i] * expq(to.log_scale) -
                      from.direction[i] * expq(from.log_scale)) /

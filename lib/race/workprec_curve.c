@@ -18,7 +18,7 @@ void workprec_curve_tangent(const struct workprec_curve *c, const quad z[2],
 {
     struct quad_field f;
 
-    quad_block_field(c->law, c->at, z[0], z[1], &f);
+    quad_block_field(c->at, z[0], z[1], &f);
     const quad size = -sqrtq(f.direction[0] * f.direction[0] +
                              f.direction[1] * f.direction[1]);
     n[0] = f.direction[0] / size;
@@ -40,7 +40,6 @@ static void graph_rates(const void *ctx, quad s, const quad u[2], quad du[2])
 bool workprec_curve_grow(const struct law *law, const struct quad_anchor *at,
                          int side, struct workprec_curve *c)
 {
-    c->law = law;
     c->at = at;
     return quad_branch_grow(law, at, side, WORKPREC_CURVE_TOL, &c->branch);
 }

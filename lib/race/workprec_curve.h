@@ -9,7 +9,6 @@
 #include "quad_branch.h"
 
 struct workprec_curve {
-    const struct law *law;        /* borrowed */
     const struct quad_anchor *at; /* borrowed */
     struct quad_branch branch;
 };

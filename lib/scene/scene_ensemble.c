@@ -91,8 +91,7 @@ struct scene_spread *scene_ensemble_add(struct scene_ensemble *e,
     return p;
 }
 
-enum status value_spreads(const struct schema_key *key, const struct node *n,
-                          struct scene *s, struct fault *why)
+VALUE_READER(value_spreads)
 {
     struct scene_ensemble *e = &s->ensemble;
     enum status status = STATUS_OK;
@@ -118,8 +117,7 @@ static void free_numbers(struct scene_ensemble *e)
     e->numbers = 0;
 }
 
-enum status value_numbers(const struct schema_key *key, const struct node *n,
-                          struct scene *s, struct fault *why)
+VALUE_READER(value_numbers)
 {
     struct scene_ensemble *e = &s->ensemble;
 
@@ -225,8 +223,7 @@ static enum status read_push(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_pushes(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_pushes)
 {
     struct scene_ensemble *e = &s->ensemble;
     enum status status = STATUS_OK;

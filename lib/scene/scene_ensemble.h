@@ -5,12 +5,9 @@
 #include "scene_vary.h"
 
 /* Readers of schema.h. */
-enum status value_spreads(const struct schema_key *key, const struct node *n,
-                          struct scene *s, struct fault *why);
-enum status value_numbers(const struct schema_key *key, const struct node *n,
-                          struct scene *s, struct fault *why);
-enum status value_pushes(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why);
+VALUE_READER(value_spreads);
+VALUE_READER(value_numbers);
+VALUE_READER(value_pushes);
 
 /* One more parameter of that key, which is copied; NULL without memory. */
 struct scene_spread *scene_ensemble_add(struct scene_ensemble *e,

@@ -105,7 +105,7 @@ const struct schema_key schema_table[] = {
       .words = friction_form_names, IS("asinh"),
       TEXT("the direct effect: regularised (4a), or a logarithm (2)") },
 
-    { "material.preset", value_board, .words = board_names,
+    { "material.preset", value_state, .words = board_names,
       IS("bristol_board"),
       TEXT("Table 2, the defaults of the keys below") },
     { "material.mu_star", value_real, AT(material.mu_star), FROM(-1e3), TO(1e3),

@@ -29,6 +29,11 @@ struct schema_key {
     const char *text;     /* what it is, one phrase */
 };
 
+/* Declares, or begins, a reader. */
+#define VALUE_READER(name)                                                     \
+    enum status name(const struct schema_key *key, const struct node *n,       \
+                     struct scene *s, struct fault *why)
+
 /* Words of sweep.show by code, NULL-ended. */
 extern const char *const sweep_show_names[];
 

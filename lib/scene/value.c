@@ -79,21 +79,18 @@ static bool is_whole(const struct schema_key *key, const struct node *n,
     return true;
 }
 
-enum status value_real(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_real)
 {
     return value_is_number(key, n, member(s, key)) ? STATUS_OK
                                                    : value_refuse(key, n, why);
 }
 
-enum status value_length(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_length)
 {
     return value_real(key, n, s, why);
 }
 
-enum status value_page(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_page)
 {
     const bool known =
         n->kind == NODE_SCALAR && scene_figure_preset(n->text, &s->paper);
@@ -103,15 +100,13 @@ enum status value_page(const struct schema_key *key, const struct node *n,
                : value_refuse(key, n, why);
 }
 
-enum status value_seed(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_seed)
 {
     return is_whole(key, n, member(s, key)) ? STATUS_OK
                                             : value_refuse(key, n, why);
 }
 
-enum status value_count(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
+VALUE_READER(value_count)
 {
     uint64_t count;
 
@@ -121,8 +116,7 @@ enum status value_count(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_pair(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_pair)
 {
     double *pair = member(s, key), x[2];
 
@@ -142,8 +136,7 @@ enum status value_pair(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_cells(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
+VALUE_READER(value_cells)
 {
     size_t *cells = member(s, key);
     uint64_t count;
@@ -160,8 +153,7 @@ enum status value_cells(const struct schema_key *key, const struct node *n,
 
 /* ---- texts --------------------------------------------------------------- */
 
-enum status value_text(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_text)
 {
     char **text = member(s, key);
 
@@ -175,8 +167,7 @@ enum status value_text(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_path(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_path)
 {
     char **path = member(s, key);
 
@@ -203,8 +194,7 @@ static char *beside(const char *scene, const char *path)
     return NULL;
 }
 
-enum status value_input(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
+VALUE_READER(value_input)
 {
     char **path = member(s, key);
     const enum status status = value_path(key, n, s, why);
@@ -219,8 +209,7 @@ enum status value_input(const struct schema_key *key, const struct node *n,
     return status;
 }
 
-enum status value_font(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_font)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyz"
                                   "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -";
@@ -230,8 +219,7 @@ enum status value_font(const struct schema_key *key, const struct node *n,
     return plain ? value_path(key, n, s, why) : value_refuse(key, n, why);
 }
 
-enum status value_figure(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_figure)
 {
     const char *dot = n->kind == NODE_SCALAR ? strrchr(n->text, '.') : NULL;
     const bool drawn =
@@ -253,8 +241,7 @@ static int code_of(const struct node *n, const char *const *words)
     return -1;
 }
 
-enum status value_choice(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_choice)
 {
     const int code = code_of(n, key->words);
 
@@ -264,30 +251,26 @@ enum status value_choice(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_formula(const struct schema_key *key, const struct node *n,
-                          struct scene *s, struct fault *why)
+VALUE_READER(value_formula)
 {
     (void) s;
     return n->kind == NODE_SCALAR ? STATUS_OK : value_refuse(key, n, why);
 }
 
-enum status value_part(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_part)
 {
     const bool formula = n->kind == NODE_SCALAR && strpbrk(n->text, "+-*/^()");
 
     return s->typed && formula ? STATUS_OK : value_choice(key, n, s, why);
 }
 
-enum status value_state(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
+VALUE_READER(value_state)
 {
     (void) s;
     return code_of(n, key->words) < 0 ? value_refuse(key, n, why) : STATUS_OK;
 }
 
-enum status value_flag(const struct schema_key *key, const struct node *n,
-                       struct scene *s, struct fault *why)
+VALUE_READER(value_flag)
 {
     const int code = code_of(n, key->words);
 
@@ -297,15 +280,7 @@ enum status value_flag(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_board(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
-{
-    (void) s;
-    return code_of(n, key->words) < 0 ? value_refuse(key, n, why) : STATUS_OK;
-}
-
-enum status value_products(const struct schema_key *key, const struct node *n,
-                           struct scene *s, struct fault *why)
+VALUE_READER(value_products)
 {
     unsigned products = 0;
 
@@ -321,8 +296,7 @@ enum status value_products(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_preset(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_preset)
 {
     const struct law *law = NULL;
 
@@ -385,20 +359,17 @@ static enum status read_slope(const struct schema_key *key,
     return STATUS_OK;
 }
 
-enum status value_alpha(const struct schema_key *key, const struct node *n,
-                        struct scene *s, struct fault *why)
+VALUE_READER(value_alpha)
 {
     return read_slope(key, n, s, set_alpha, why);
 }
 
-enum status value_alpha_deg(const struct schema_key *key, const struct node *n,
-                            struct scene *s, struct fault *why)
+VALUE_READER(value_alpha_deg)
 {
     return read_slope(key, n, s, set_alpha_deg, why);
 }
 
-enum status value_tan_alpha(const struct schema_key *key, const struct node *n,
-                            struct scene *s, struct fault *why)
+VALUE_READER(value_tan_alpha)
 {
     return read_slope(key, n, s, set_tan_alpha, why);
 }
@@ -427,8 +398,7 @@ bool value_set(const struct schema_key *key, double x, struct scene *s)
     return true;
 }
 
-enum status value_key(const struct schema_key *key, const struct node *n,
-                      struct scene *s, struct fault *why)
+VALUE_READER(value_key)
 {
     const char *of_law[SCHEMA_KEYS_MAX + 1] = { NULL };
     const char *const *known =

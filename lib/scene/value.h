@@ -8,10 +8,6 @@
 
 #include "schema.h"
 
-#define VALUE_READER(name)                                                     \
-    enum status name(const struct schema_key *key, const struct node *n,       \
-                     struct scene *s, struct fault *why)
-
 VALUE_READER(value_text);       /* char *, owned */
 VALUE_READER(value_path);       /* the same; nothing: NULL */
 VALUE_READER(value_figure);     /* a path that ends in .svg, .pdf, .png */
@@ -27,9 +23,8 @@ VALUE_READER(value_flag);       /* bool, of "false" and "true" */
 VALUE_READER(value_cells);      /* size_t[2] */
 VALUE_READER(value_part);       /* the same, or a formula (scene_law.h) */
 VALUE_READER(value_formula);    /* one of these only: no member */
-VALUE_READER(value_state);      /* a word that scene_law.h reads: no member */
+VALUE_READER(value_state);      /* a word, read elsewhere or but the default */
 VALUE_READER(value_preset);     /* law, but its form */
-VALUE_READER(value_board);      /* material.preset: the default already */
 VALUE_READER(value_alpha);      /* alpha and tan_alpha, of rad, */
 VALUE_READER(value_alpha_deg);  /* degrees */
 VALUE_READER(value_tan_alpha);  /* and the tangent */
@@ -41,8 +36,6 @@ VALUE_READER(value_input);      /* a path, beside the scene if it is there */
 VALUE_READER(value_starts);     /* start, starts, in the scene's units */
 VALUE_READER(value_key);        /* sweep.draft.key: a key of a real number */
 VALUE_READER(value_values);     /* sweep.draft.value, count */
-
-#undef VALUE_READER
 
 /* Blames a value; offers the nearest word where words are expected. */
 enum status value_refuse(const struct schema_key *key, const struct node *n,

@@ -29,27 +29,23 @@ static enum status read_list(const struct schema_key *key, const struct node *n,
     return STATUS_OK;
 }
 
-enum status value_xi(const struct schema_key *key, const struct node *n,
-                     struct scene *s, struct fault *why)
+VALUE_READER(value_xi)
 {
     return read_list(key, n, SCENE_XI, &s->xi, &s->xi_count, why);
 }
 
-enum status value_slopes(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_slopes)
 {
     return read_list(key, n, SCENE_SLOPES, &s->rabinowicz.tan_alpha,
                      &s->rabinowicz.slopes, why);
 }
 
-enum status value_chi_slopes(const struct schema_key *key, const struct node *n,
-                             struct scene *s, struct fault *why)
+VALUE_READER(value_chi_slopes)
 {
     return read_list(key, n, SCENE_CHI, &s->chi_alpha, &s->chi_alphas, why);
 }
 
-enum status value_values(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_values)
 {
     return read_list(key, n, SCENE_POINTS, &s->sweep.draft.value,
                      &s->sweep.draft.count, why);
@@ -110,8 +106,7 @@ static enum status read_start(const struct schema_key *key,
     return STATUS_OK;
 }
 
-enum status value_starts(const struct schema_key *key, const struct node *n,
-                         struct scene *s, struct fault *why)
+VALUE_READER(value_starts)
 {
     enum status status = STATUS_OK;
 

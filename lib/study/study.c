@@ -17,14 +17,19 @@
 #include "study_results.h"
 #include "study_tolerance.h"
 
+/* What runs a stage: enum status name(s, monitor, why). */
+#define UNUSED __attribute__((unused))
+#define STAGE(name)                                                            \
+    static enum status name(UNUSED struct study *s,                            \
+                            UNUSED const struct monitor *monitor,              \
+                            UNUSED struct fault *why)
+
 /* ---- steady states --------------------------------------------------- */
 
-static enum status run_steady(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
+STAGE(run_steady)
 {
     const struct scene *c = s->scene;
 
-    (void) monitor;
     (s->saddle_alone ? slider_init_saddle : slider_init)(
         &s->slider, &c->law, &c->material, c->tan_alpha);
     const int saddle = slider_saddle(&s->slider);
@@ -34,10 +39,8 @@ static enum status run_steady(struct study *s, const struct monitor *monitor,
     return slider_check(&s->slider, why);
 }
 
-static enum status run_folds(struct study *s, const struct monitor *monitor,
-                             struct fault *why)
+STAGE(run_folds)
 {
-    (void) monitor, (void) why;
     s->folds = numbers_folds(&s->slider.block.law, &s->slider.block.material);
     return STATUS_OK;
 }
@@ -54,10 +57,8 @@ static struct window study_frame(const struct study *s)
 
 /* ---- numbers ------------------------------------------------------------ */
 
-static enum status run_critical(struct study *s, const struct monitor *monitor,
-                                struct fault *why)
+STAGE(run_critical)
 {
-    (void) monitor, (void) why;
     if (slider_has_manifolds(&s->slider))
         s->slider.critical = numbers_critical(
             &s->slider.block, phase_plane_saddle(&s->slider.plane),
@@ -65,10 +66,8 @@ static enum status run_critical(struct study *s, const struct monitor *monitor,
     return STATUS_OK;
 }
 
-static enum status run_knees(struct study *s, const struct monitor *monitor,
-                             struct fault *why)
+STAGE(run_knees)
 {
-    (void) monitor, (void) why;
     if (slider_has_manifolds(&s->slider))
         numbers_knees(&s->slider.block, &s->slider.plane.system,
                       &s->stable[SIDE_UPPER], &s->stable[SIDE_LOWER],
@@ -76,30 +75,23 @@ static enum status run_knees(struct study *s, const struct monitor *monitor,
     return STATUS_OK;
 }
 
-static enum status run_taylor(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
+STAGE(run_taylor)
 {
-    (void) monitor, (void) why;
     return taylor_series_find(s, &s->taylor);
 }
 
-static enum status run_estimates(struct study *s, const struct monitor *monitor,
-                                 struct fault *why)
+STAGE(run_estimates)
 {
-    (void) monitor, (void) why;
     s->estimates = numbers_estimates(&s->slider.block, s->scene->xi,
                                      s->scene->xi_count, &s->slider.critical);
     return STATUS_OK;
 }
 
-static enum status run_sensitivities(struct study *s,
-                                     const struct monitor *monitor,
-                                     struct fault *why)
+STAGE(run_sensitivities)
 {
     size_t *evaluations = &s->cost[STAGE_SENSITIVITIES].field_evaluations;
     enum status status = STATUS_OK;
 
-    (void) why;
     const char *none = slider_no_manifolds(&s->slider);
     s->sensitivities = sensitivity_none(none ? none : "nobody asked");
     if (slider_has_manifolds(&s->slider))
@@ -112,20 +104,15 @@ static enum status run_sensitivities(struct study *s,
                : conditioning_find(s, monitor, &s->sensitivities, evaluations);
 }
 
-static enum status run_spread(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
+STAGE(run_spread)
 {
-    (void) why;
     return scatter_find(s, monitor, &s->cost[STAGE_SPREAD].field_evaluations);
 }
 
 /* ---- portrait -------------------------------------------------------- */
 
-static enum status run_nullclines(struct study *s,
-                                  const struct monitor *monitor,
-                                  struct fault *why)
+STAGE(run_nullclines)
 {
-    (void) monitor, (void) why;
     const enum status status = portrait_find_nullclines(
         &s->portrait, scene_figure_chord(&s->scene->paper));
     s->cost[STAGE_NULLCLINES].field_evaluations =
@@ -134,10 +121,8 @@ static enum status run_nullclines(struct study *s,
     return status;
 }
 
-static enum status run_arrows(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
+STAGE(run_arrows)
 {
-    (void) monitor, (void) why;
     const enum status status =
         portrait_find_arrows(&s->portrait, PORTRAIT_ARROWS, PORTRAIT_ARROWS);
     s->cost[STAGE_ARROWS].field_evaluations = s->portrait.arrows.evaluations;
@@ -201,9 +186,7 @@ static enum status spread_orbits(struct study *s, struct trajectory_options *o)
     return status;
 }
 
-static enum status run_trajectories(struct study *s,
-                                    const struct monitor *monitor,
-                                    struct fault *why)
+STAGE(run_trajectories)
 {
     const struct scene *c = s->scene;
     struct trajectory_options o = trajectory_defaults(
@@ -232,8 +215,7 @@ static enum status run_trajectories(struct study *s,
     return status;
 }
 
-static enum status run_basins(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
+STAGE(run_basins)
 {
     enum status status =
         basin_map_init(&s->basins, &s->slider, s->scene, monitor);
@@ -247,23 +229,18 @@ static enum status run_basins(struct study *s, const struct monitor *monitor,
     return status;
 }
 
-static enum status run_fields(struct study *s, const struct monitor *monitor,
-                              struct fault *why)
+STAGE(run_fields)
 {
     return fields_prepare(&s->fields, &s->basins, monitor, why);
 }
 
-static enum status run_proof(struct study *s, const struct monitor *monitor,
-                             struct fault *why)
+STAGE(run_proof)
 {
-    (void) monitor, (void) why;
     return study_prove(s);
 }
 
-static enum status run_sides(struct study *s, const struct monitor *monitor,
-                             struct fault *why)
+STAGE(run_sides)
 {
-    (void) monitor, (void) why;
     return basin_prove(s);
 }
 

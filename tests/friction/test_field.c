@@ -38,7 +38,7 @@ static void check_real(const struct setting *s, struct vec2 z)
     struct quad_field q;
 
     tape_field(&s->b.plane, z, &f);
-    quad_block_field(&s->law, &s->at, z.x, z.y, &q);
+    quad_block_field(&s->at, z.x, z.y, &q);
     const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
     check_component(s, z, "fx", f.direction.x, f.log_scale, q.direction[0],
                     q.log_scale, c.x);
@@ -62,7 +62,7 @@ static void check_lanes(const struct setting *s, uint64_t *seed)
         const int p = i / LANES, l = i % LANES;
         const struct vec2 z = { x[p][l], y[p][l] };
         struct quad_field q;
-        quad_block_field(&s->law, &s->at, z.x, z.y, &q);
+        quad_block_field(&s->at, z.x, z.y, &q);
         const struct condition c = condition_at(s, z.x, z.y, scale[p][l]);
         check_component(s, z, "fx of lanes", fx[p][l], scale[p][l],
                         q.direction[0], q.log_scale, 3 * c.x);
@@ -123,7 +123,7 @@ static void the_113_bit_field_is_the_model_s(void **state)
             const struct vec2 z =
                 k % 2 ? draw_far(&s, &seed) : draw_near(-2, 1, &seed);
             struct quad_field q;
-            quad_block_field(&s.law, &s.at, z.x, z.y, &q);
+            quad_block_field(&s.at, z.x, z.y, &q);
             const struct condition c = condition_at(&s, z.x, z.y, q.log_scale);
             const quad x = s.at.x0 + z.x, y = s.at.y0 + z.y;
             const struct plain_number fx =
@@ -163,7 +163,7 @@ static void near_the_anchor_no_digit_is_lost(void **state)
             const struct vec2 z = draw_near(k, k, &seed);
             struct planar_field f;
             struct quad_field q;
-            quad_block_field(&s.law, &s.at, z.x, z.y, &q);
+            quad_block_field(&s.at, z.x, z.y, &q);
             const struct condition c = condition_at(&s, z.x, z.y, q.log_scale);
             if (c.x + c.y > 200)
                 continue;
@@ -209,8 +209,8 @@ static void quad_jacobian(const struct setting *s, struct vec2 z, quad scale,
     for (int j = 0; j < 2; j++) {
         struct quad_field r, l;
         const quad dx = j == 0 ? h : 0, dy = j == 1 ? h : 0;
-        quad_block_field(&s->law, &s->at, z.x + dx, z.y + dy, &r);
-        quad_block_field(&s->law, &s->at, z.x - dx, z.y - dy, &l);
+        quad_block_field(&s->at, z.x + dx, z.y + dy, &r);
+        quad_block_field(&s->at, z.x - dx, z.y - dy, &l);
         for (int i = 0; i < 2; i++)
             J[i][j] = (r.direction[i] * expq(r.log_scale - scale) -
                        l.direction[i] * expq(l.log_scale - scale)) /
@@ -245,7 +245,7 @@ static void check_dual(const struct setting *s, struct vec2 z)
                 D.field.log_scale == f.log_scale);
     assert_true(isfinite(D.matrix.xx) && isfinite(D.matrix.xy) &&
                 isfinite(D.matrix.yx) && isfinite(D.matrix.yy));
-    quad_block_field(&s->law, &s->at, z.x, z.y, &q);
+    quad_block_field(&s->at, z.x, z.y, &q);
     const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
     const quad size = fabsq(f.log_scale) + fabsq(s->hand.log_rate) +
                       fabsq(s->hand.log_inertia) + fabsq(z.x) + fabsq(z.y) +
@@ -296,12 +296,12 @@ static void check_rate(const struct setting *s, enum block_observable which,
     const quad plain = which == BLOCK_SLIP   ? v
                        : which == BLOCK_WORK ? mu * v
                                              : v - v0;
-    const quad rate = quad_block_rate(&s->law, &s->at, which, X, Y);
-    const quad rx = (quad_block_rate(&s->law, &s->at, which, X + h, Y) -
-                     quad_block_rate(&s->law, &s->at, which, X - h, Y)) /
+    const quad rate = quad_block_rate(&s->at, which, X, Y);
+    const quad rx = (quad_block_rate(&s->at, which, X + h, Y) -
+                     quad_block_rate(&s->at, which, X - h, Y)) /
                     (2 * h);
-    const quad ry = (quad_block_rate(&s->law, &s->at, which, X, Y + h) -
-                     quad_block_rate(&s->law, &s->at, which, X, Y - h)) /
+    const quad ry = (quad_block_rate(&s->at, which, X, Y + h) -
+                     quad_block_rate(&s->at, which, X, Y - h)) /
                     (2 * h);
     const quad terms = which == BLOCK_WORK
                            ? (fabsq(s->at.mu0) + condition_of_mu(s, X, Y)) * v

@@ -57,13 +57,13 @@ static void check_state(const struct setting *set, const struct field_text *f,
         if (f->lines.line[i].moves)
             know_name(&s, f->lines.line[i].name,
                       line_at(&s, f->lines.line[i].text));
-    quad_block_field(&set->law, &set->at, X, Y, &exact);
+    quad_block_field(&set->at, X, Y, &exact);
     const quad size = expq(known(&s, "scale") - exact.log_scale);
     check_near(set, "fx", known(&s, "fx") * size, exact.direction[0]);
     check_near(set, "fy", known(&s, "fy") * size, exact.direction[1]);
     check_near(set, "mu", known(&s, "mu"),
-               quad_block_rate(&set->law, &set->at, BLOCK_WORK, X, Y) /
-                   quad_block_rate(&set->law, &set->at, BLOCK_SLIP, X, Y));
+               quad_block_rate(&set->at, BLOCK_WORK, X, Y) /
+                   quad_block_rate(&set->at, BLOCK_SLIP, X, Y));
 }
 
 static void check_setting(const struct setting *set, uint64_t *seed)

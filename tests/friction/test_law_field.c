@@ -30,7 +30,7 @@ static void tally_point(const struct setting *s, struct vec2 z, struct tally *t)
     struct quad_field q;
 
     tape_field(&s->b.plane, z, &f);
-    quad_block_field(&s->law, &s->at, z.x, z.y, &q);
+    quad_block_field(&s->at, z.x, z.y, &q);
     const struct condition c = condition_at(s, z.x, z.y, f.log_scale);
     count(t, f.direction.x, f.log_scale, q.direction[0], q.log_scale, c.x);
     count(t, f.direction.y, f.log_scale, q.direction[1], q.log_scale, c.y);

@@ -36,7 +36,7 @@ static struct moved field_when(const struct setting *s, struct vec2 z,
     }
     quad_block_anchor(&s->law, &m, t, (quad) s->x, false, &at);
     const quad Y = s->at.y0 + (quad) z.y - at.y0;
-    quad_block_field(&s->law, &at, (quad) z.x, Y, &f);
+    quad_block_field(&at, (quad) z.x, Y, &f);
     const quad unit = expq(f.log_scale - scale);
     return (struct moved){ f.direction[0] * unit, f.direction[1] * unit };
 }
