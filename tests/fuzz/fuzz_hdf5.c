@@ -14,8 +14,8 @@
 #include "store_read.h"
 #include "tolerance.h"
 
-/* The file to compare with. */
-static const char *whole;
+/* The file to compare with, opened once: children inherit it. */
+static struct store *whole; /* owned */
 
 static int write_item(void *ctx, const struct store_item *item)
 {
@@ -51,17 +51,6 @@ static void write_difference(void *ctx, const struct store_difference *d)
     fprintf(ctx, "%s %s %s\n", d->path, d->key, d->what);
 }
 
-static enum status compare(struct store *file, FILE *out, struct fault *why)
-{
-    struct store *other = NULL;
-    enum status s = store_open(whole, &other, why);
-
-    if (s == STATUS_OK)
-        s = store_compare(file, other, write_difference, out, why);
-    store_free(&other);
-    return s;
-}
-
 /* All three, whatever became of the one before. */
 static enum status work(void *ctx, FILE *out, struct fault *why)
 {
@@ -77,7 +66,8 @@ static enum status work(void *ctx, FILE *out, struct fault *why)
         if (store_open(ctx, &file, &of[i]) != STATUS_OK)
             return STATUS_IO;
         got[i] =
-            i == 1 ? read_scene(file, out, &of[i]) : compare(file, out, &of[i]);
+            i == 1 ? read_scene(file, out, &of[i])
+                   : store_compare(file, whole, write_difference, out, &of[i]);
         store_free(&file);
     }
     for (int i = 0; i < 3 && s == STATUS_OK; i++)
@@ -107,9 +97,12 @@ static enum status read_apart(const char *path)
 /* One that is whole is read: else nothing is tried here at all. */
 static void begin(void)
 {
+    const char *path = getenv("FUZZ_WHOLE");
+    struct fault why;
+
     store_silence();
-    whole = getenv("FUZZ_WHOLE");
-    MUST(whole != NULL && read_apart(whole) == STATUS_OK);
+    MUST(path != NULL && store_open(path, &whole, &why) == STATUS_OK);
+    MUST(read_apart(path) == STATUS_OK);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
