@@ -140,6 +140,36 @@ def a_manifold_leaves_the_window_somewhere(room):
         expect(x or abs(at[1]['value']) in (4, 5), branch)
 
 
+SYMMETRIC = """system:
+  state: {x: positive, y: positive}
+  rates: {x: "x*(%s)", y: "y*(%s)"}
+window: {x: [0.05, 8], y: [0.05, 8]}
+basins: {cells: [32, 32], audit: 50}
+"""
+
+
+def a_straight_line_ends_where_it_comes_to_rest(room):
+    """x = y, of which a step is so long that behind its end no digit is left."""
+    room.write('a.yaml', SYMMETRIC % ('2*y/(1 + y) - 0.4*x - 0.3', '2*x/(1 + x) - 0.4*y - 0.3'))
+    ends = [(m['end'], m['to']) for m in room.json('portrait', 'a.yaml')['manifolds']]
+    expect(ends == [('infinity', None)] * 2 + [('equilibrium', 1), ('infinity', None)], ends)
+    room.write('b.yaml', SYMMETRIC % ('5/(1 + y^2)/x - 1', '5/(1 + x^2)/y - 1'))
+    found = room.json('basin', 'b.yaml')
+    expect([m['end'] for m in found['manifolds']] == ['infinity', 'edge'] + ['equilibrium'] * 2,
+           found['manifolds'])
+    for share in found['shares'][:2]:
+        expect(is_near(share['fraction'], 0.5, 1e-12), share)
+
+
+def where_branches_end_does_not_hang_on_the_accuracy(room):
+    for ode in ("x' = y; y' = x - x^3 - 0.2*y + 0.1",
+                "x' = 0.3*sin(3*y) + x - x^3; y' = 0.2*cos(2*x) - 0.2 + y - y^3"):
+        ends = [[(m['end'], m['to']) for m in room.json(
+            'portrait', '--ode', ode, '--window', 'x=-2:2,y=-2:2', '--rtol', rtol)['manifolds']]
+            for rtol in ('1e-4', '1e-7', '1e-12', '1e-13')]
+        expect(ends[0] == ends[1] == ends[2] == ends[3], ode, ends)
+
+
 def pages_and_plans_tell_of_systems(room):
     page = room.good('help', '--as', 'hdf5')
     for group in ('/sensitivities/p', '/manifold/saddle_0/stable_0',
@@ -298,7 +328,9 @@ def a_law_without_a_slope_at_its_steady_state_is_no_node(room):
                 'no slope at its steady state v = 0.113911, psi = 8.77878')
 
 
-run_cases([whole_parameters_are_exponents_of_what_is_negative,
+run_cases([a_straight_line_ends_where_it_comes_to_rest,
+           where_branches_end_does_not_hang_on_the_accuracy,
+           whole_parameters_are_exponents_of_what_is_negative,
            names_that_other_programs_have_are_numbers_there,
            names_of_a_law_s_own_are_set_swept_exported_and_recorded,
            a_law_without_a_slope_at_its_steady_state_is_no_node,

@@ -5,10 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "escape.h"
 #include "grow.h"
 #include "plane_cycle.h"
 #include "plane_defined.h"
+#include "plane_length.h"
 #include "plane_rest.h"
 #include "plane_tolerance.h"
 #include "plane_weak.h"
@@ -24,6 +24,7 @@ const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
 struct half {
     struct winding winding;
     bool left;     /* it has been away from its saddle */
+    bool lost;     /* where the last piece ends is not known */
     bool broken;   /* formulas may have no values after theta, or an
                       equilibrium that is not known may be there */
     int8_t end;    /* enum plane_end, -1 */
@@ -41,16 +42,6 @@ struct following {
     struct vec2 *rests;          /* borrowed: of all */
     struct half half[2];
 };
-
-/* How much longer than straight the way into it is, at most: a spiral's. */
-static double turns_of(const struct plane_rest *r)
-{
-    const double re = fabs(r->lambda[0].re.value);
-
-    return r->type == PLANE_SADDLE || !(re > 0.0)
-               ? 1.0
-               : hypot(re, r->lambda[0].im.value) / re;
-}
 
 /* Whether the piece ends at this equilibrium, before where it ended so far. */
 static void look_at(const struct following *f, struct half *h,
@@ -74,7 +65,7 @@ static void look_at(const struct following *f, struct half *h,
     h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
     h->to = i;
     h->theta = theta;
-    h->beyond = 2.0 * d * fmax(side.x, side.y) * turns_of(r);
+    h->beyond = 2.0 * d * fmax(side.x, side.y) * plane_rest_turns(r);
 }
 
 /* Up to where the piece is a branch: from there on formulas may have no
@@ -110,7 +101,8 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
     const struct vec2 away =
         arrival_from(&f->s->scale, vec2_add(f->from->z, z), f->from->z);
 
-    if (!(bar <= TOL_SEEN))
+    h->lost = !(bar <= TOL_SEEN);
+    if (h->lost)
         return true;
     break_off(f, h, b, bar);
     for (size_t i = 0; i < f->s->rests; i++)
@@ -140,82 +132,6 @@ static void cut(struct curve *c, double theta)
     }
 }
 
-/* ---- what is shown of it ------------------------------------------------- */
-
-static struct vec2 point(const struct plane_branch *b, const struct vec2 origin,
-                         size_t piece, double theta)
-{
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&b->curve.curve, piece, theta, at);
-    return vec2_add(origin, (struct vec2){ at[0], at[1] });
-}
-
-/* Up to where it last leaves the window, for good. */
-static void find_shown(const struct plane_study *s, struct plane_branch *b)
-{
-    enum { SAMPLES = 32 };
-    const struct vec2 origin = s->rest[b->rest].z;
-    const struct box w = plane_study_box(s);
-
-    for (size_t i = b->curve.curve.count; i-- > 0;) {
-        if (!escape_may_touch(&b->curve.curve, i, origin, w))
-            continue;
-        for (int k = SAMPLES; k >= 0; k--) {
-            double in = (double) k / SAMPLES, out = (k + 1.0) / SAMPLES;
-            if (!box_holds(w, point(b, origin, i, in)))
-                continue;
-            b->shown = i + 1;
-            b->shown_to = 1.0;
-            if (k == SAMPLES)
-                return;
-            for (int n = 0; n < 52; n++) {
-                const double middle = 0.5 * (in + out);
-                *(box_holds(w, point(b, origin, i, middle)) ? &in : &out) =
-                    middle;
-            }
-            b->shown_to = in;
-            return;
-        }
-    }
-}
-
-/* Five Gauss points on `parts` parts of the piece. */
-static double arc(const struct curve *c, size_t piece, double to, int parts)
-{
-    static const double node[] = { 0.0, 0.5384693101056831, -0.5384693101056831,
-                                   0.9061798459386640, -0.9061798459386640 };
-    static const double weight[] = { 0.5688888888888889, 0.4786286704993665,
-                                     0.4786286704993665, 0.2369268850561891,
-                                     0.2369268850561891 };
-    double sum = 0.0, slope[CURVE_DIM_MAX];
-    const double half = 0.5 * to / parts;
-
-    for (int k = 0; k < parts; k++)
-        for (int i = 0; i < 5; i++) {
-            curve_slope_at(c, piece, (2 * k + 1 + node[i]) * half, slope);
-            sum += half * weight[i] * hypot(slope[0], slope[1]);
-        }
-    return sum;
-}
-
-static void measure(const struct plane_study *s, struct plane_branch *b,
-                    double beyond)
-{
-    double sum = 0.0, error = vec2_length(s->rest[b->rest].error) + beyond;
-
-    find_shown(s, b);
-    for (size_t i = 0; i < b->shown; i++) {
-        const double to = i + 1 == b->shown ? b->shown_to : 1.0;
-        const double fine = arc(&b->curve.curve, i, to, 4);
-        const double coarse = arc(&b->curve.curve, i, to, 3);
-        sum += fine;
-        error += fabs(fine - coarse) + 1e-15 * sum +
-                 4.0 * b->curve.curve.piece[i].error;
-    }
-    b->length = quantity_of(sum, error < sum ? error : HUGE_VAL);
-}
-
 /* ---- all manifolds ------------------------------------------------------- */
 
 static struct vec2 last_point(const struct plane_study *s,
@@ -223,16 +139,14 @@ static struct vec2 last_point(const struct plane_study *s,
 {
     const size_t n = b->curve.curve.count;
 
-    return n ? point(b, s->rest[b->rest].z, n - 1, 1.0) : s->rest[b->rest].z;
+    return n ? plane_length_point(b, s->rest[b->rest].z, n - 1, 1.0)
+             : s->rest[b->rest].z;
 }
 
 /* A branch that could not be followed to the end may have come into a trap. */
-static void look_for_trap(const struct plane_study *s,
-                          const struct plane_branch *b, struct half *h)
+static void look_for_trap(const struct plane_study *s, int backward,
+                          struct vec2 z, struct half *h)
 {
-    const int backward = b->kind == MANIFOLD_STABLE;
-    const struct vec2 z = last_point(s, b);
-
     for (size_t i = 0; i < s->rests && h->end < 0; i++) {
         const struct trap_form *t = &s->rest[i].trap[backward];
         const double d = trap_form_distance(t, &s->scale, z);
@@ -244,7 +158,7 @@ static void look_for_trap(const struct plane_study *s,
         h->beyond = !(d < t->size)
                         ? HUGE_VAL
                         : 2.0 * d * fmax(s->scale.side.x, s->scale.side.y) *
-                              turns_of(&s->rest[i]);
+                              plane_rest_turns(&s->rest[i]);
     }
 }
 
@@ -259,8 +173,9 @@ static double speed_at(const struct plane_study *s,
     const double piece =
         fmin(floor(look / LOOKS), (double) b->curve.curve.count - 1.0);
 
-    return plane_study_speed(
-        s, point(b, s->rest[b->rest].z, (size_t) piece, look / LOOKS - piece));
+    return plane_study_speed(s, plane_length_point(b, s->rest[b->rest].z,
+                                                   (size_t) piece,
+                                                   look / LOOKS - piece));
 }
 
 /* The look at which it is slowest, within one of `look`. */
@@ -293,7 +208,8 @@ static enum status look_at_slow(struct plane_study *s, struct plane_branch *b,
     size_t i;
 
     const enum status status = plane_rest_add(
-        s, point(b, origin, piece, at / LOOKS - (double) piece), &i);
+        s, plane_length_point(b, origin, piece, at / LOOKS - (double) piece),
+        &i);
     if (status != STATUS_OK || i == s->rests)
         return status;
     const struct plane_rest *r = &s->rest[i];
@@ -310,7 +226,7 @@ static enum status look_at_slow(struct plane_study *s, struct plane_branch *b,
     h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
     h->to = i;
     h->theta = theta;
-    h->beyond = 2.0 * d * fmax(side.x, side.y) * turns_of(r);
+    h->beyond = 2.0 * d * fmax(side.x, side.y) * plane_rest_turns(r);
     b->curve.curve.count = piece + 1;
     return STATUS_OK;
 }
@@ -342,13 +258,13 @@ static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
                      struct half *h)
 {
     if (h->end < 0 && !h->broken && b->curve.end != BRANCH_DOMAIN)
-        look_for_trap(s, b, h);
+        look_for_trap(s, b->kind == MANIFOLD_STABLE, last_point(s, b), h);
     if (h->end < 0 && b->curve.end == BRANCH_STEPS &&
         !plane_defined_near(s->plan, s, last_point(s, b)))
         h->end = PLANE_END_SINGULARITY;
     if (h->end >= 0)
         return h->end;
-    if (b->curve.end == BRANCH_DOMAIN)
+    if (b->curve.end == BRANCH_DOMAIN && !h->lost)
         return PLANE_END_INFINITY;
     return !box_holds(plane_study_box(s), last_point(s, b)) ? PLANE_END_EDGE
            : b->curve.end == BRANCH_STEPS                   ? PLANE_END_STEPS
@@ -380,13 +296,78 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
     if (b->end == PLANE_END_SINGULARITY) /* plane_defined_near */
         h->beyond =
             2.0 * TOL_PLANE_STILL * fmax(s->scale.side.x, s->scale.side.y);
-    measure(s, b, h->end >= 0 ? h->beyond : 0.0);
+    plane_length_find(s, b, h->end >= 0 ? h->beyond : 0.0);
+    return status;
+}
+
+/* An offset on the last piece. */
+static struct vec2 on_last(const struct branch *b, double theta)
+{
+    double at[CURVE_DIM_MAX];
+
+    curve_at(&b->curve, b->curve.count - 1, theta, at);
+    return (struct vec2){ at[0], at[1] };
+}
+
+/* Half as far as a piece: across it the branch moves in x or y. */
+static void clip(const struct following *f, const struct branch *b,
+                 struct box *domain)
+{
+    const struct vec2 d = vec2_sub(on_last(b, 1.0), on_last(b, 0.0));
+    const struct vec2 m = vec2_add(f->from->z, on_last(b, 0.5));
+
+    if (fabs(d.x) >= fabs(d.y))
+        *(d.x > 0.0 ? &domain->hi.x : &domain->lo.x) = m.x;
+    else
+        *(d.y > 0.0 ? &domain->hi.y : &domain->lo.y) = m.y;
+}
+
+/* A branch that is lost on a piece that begins in the window is too far out on
+ * it, or has run through an equilibrium, behind which it is none: it is grown
+ * again to just outside the window, then half as far as it is lost, until it is
+ * not.  Else the lost piece is left out. */
+static enum status go_nearer(struct following *f, const struct local_series *u,
+                             const struct grow_options *o, struct branch *b)
+{
+    enum { HALVES = 52 };
+    const struct box w = plane_study_box(f->s), far = f->system->domain;
+    const struct vec2 room = vec2_scale(0.0625, f->s->scale.side);
+    const struct box window = {
+        { fmax(far.lo.x, w.lo.x - room.x), fmax(far.lo.y, w.lo.y - room.y) },
+        { fmin(far.hi.x, w.hi.x + room.x), fmin(far.hi.y, w.hi.y + room.y) }
+    };
+    struct half *h = &f->half[b->side < 0];
+    struct planar near = *f->system;
+    enum status status = STATUS_OK;
+
+    for (int i = 0;
+         i < HALVES && status == STATUS_OK && h->lost && b->curve.count > 1 &&
+         box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)));
+         i++) {
+        const int side = b->side;
+        if (i == 0)
+            near.domain = window;
+        else
+            clip(f, b, &near.domain);
+        branch_free(b);
+        *h = (struct half){ .end = -1 };
+        status = grow_branch(&near, u, side, o, b);
+        if (status != STATUS_OK || h->lost || h->end >= 0 ||
+            b->end != BRANCH_DOMAIN)
+            continue;
+        look_for_trap(f->s, f->backward, vec2_add(f->from->z, on_last(b, 1.0)),
+                      h);
+        h->lost = true; /* from there on */
+        return STATUS_OK;
+    }
+    b->curve.count -= h->lost && b->curve.count > 1;
     return status;
 }
 
 /* Adds both branches of one manifold; where it has no series they are empty. */
-static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
-                        enum manifold_kind kind, const struct monitor *monitor)
+static enum status grow_at(struct plane_study *s, int64_t saddle, size_t rest,
+                           enum manifold_kind kind, double rtol,
+                           const struct monitor *monitor)
 {
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
     struct plane_branch *more =
@@ -399,7 +380,7 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
                            .backward = 1 - way,
                            .rests = rests };
     const struct grow_follower follower = { branch_ends, &f };
-    struct grow_options o = grow_defaults(TOL_PLANE_PART * s->scene->rtol);
+    struct grow_options o = grow_defaults(TOL_PLANE_PART * rtol);
     struct branch half[2] = { { .curve = CURVE_EMPTY(2) },
                               { .curve = CURVE_EMPTY(2) } };
     struct local_series u = { .ind = 0 };
@@ -421,9 +402,14 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
                                   o.order, TOL_TAYLOR_STEP * o.rtol, &u);
     if (status == STATUS_OK)
         status = grow_branches(f.system, &u, &o, half);
+    for (int k = 0; k < 2 && status == STATUS_OK; k++)
+        status = go_nearer(&f, &u, &o, &half[k]);
     free(rests);
-    if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED)
+    if (status == STATUS_NO_MEMORY || status == STATUS_STOPPED) {
+        branch_free(&half[0]);
+        branch_free(&half[1]);
         return status;
+    }
     const bool turned = u.ind == 1 && u.c[1] < 0.0;
     for (int k = 0; k < 2; k++) {
         struct plane_branch *b = &s->branch[s->branches++];
@@ -439,6 +425,38 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
             return status;
     }
     return STATUS_OK;
+}
+
+/* Whether how far it was followed may have decided where it ends. */
+static bool is_far(const struct plane_branch *b)
+{
+    return b->end == PLANE_END_EDGE ||
+           ((b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE) &&
+            b->to == RECORD_COUNT_NONE);
+}
+
+/* Where branches end outside the window is the same whatever accuracy is asked
+ * for: as far as they are followed to TOL_RTOL_DEFAULT. */
+static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
+                        enum manifold_kind kind, const struct monitor *monitor)
+{
+    const size_t n = s->branches;
+    enum status status =
+        grow_at(s, saddle, rest, kind, s->scene->rtol, monitor);
+
+    if (status != STATUS_OK || s->branches < n + 2 ||
+        !(is_far(&s->branch[n]) || is_far(&s->branch[n + 1])) ||
+        fabs(s->scene->rtol - TOL_RTOL_DEFAULT) < 0.5 * TOL_RTOL_DEFAULT)
+        return status;
+    status = grow_at(s, saddle, rest, kind, TOL_RTOL_DEFAULT, monitor);
+    for (size_t i = n; i < n + 2 && i + 2 < s->branches; i++)
+        if (is_far(&s->branch[i])) {
+            s->branch[i].end = s->branch[i + 2].end;
+            s->branch[i].to = s->branch[i + 2].to;
+        }
+    while (s->branches > n + 2)
+        branch_free(&s->branch[--s->branches].curve);
+    return status;
 }
 
 enum status plane_branch_grow(struct plane_study *s,
@@ -471,6 +489,7 @@ enum status plane_branch_grow_outside(struct plane_study *s)
         first = s->branch[s->branches - 1].rest + 1;
     for (size_t i = first; i < s->rests && status == STATUS_OK; i++)
         if (s->rest[i].type == PLANE_SADDLE)
-            status = grow(s, RECORD_COUNT_NONE, i, MANIFOLD_STABLE, NULL);
+            status = grow_at(s, RECORD_COUNT_NONE, i, MANIFOLD_STABLE,
+                             s->scene->rtol, NULL);
     return status;
 }

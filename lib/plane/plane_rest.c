@@ -276,3 +276,12 @@ enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
     free(found);
     return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }
+
+double plane_rest_turns(const struct plane_rest *r)
+{
+    const double re = fabs(r->lambda[0].re.value);
+
+    return r->type == PLANE_SADDLE || !(re > 0.0)
+               ? 1.0
+               : hypot(re, r->lambda[0].im.value) / re;
+}

@@ -23,3 +23,6 @@ bool plane_rest_traps(const struct plane_study *s, const struct plane_rest *r,
  * s->rests: there is none.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_rest_add(struct plane_study *s, struct vec2 z,
                                       size_t *index);
+
+/* How much longer than straight the way into it is, at most: a spiral's. */
+double plane_rest_turns(const struct plane_rest *r);
