@@ -72,12 +72,21 @@ def of_a_number():
     yield new, [word.replace(old, new) for word in command]
 
 
+def who_read(header):
+    """The sources whose compilers read it, as ninja remembers."""
+    for entry in ran(['ninja', '-t', 'deps']).split('\n\n'):
+        read = [os.path.relpath(os.path.join(BUILD, line.strip()), SOURCE)
+                for line in entry.splitlines()[1:]]
+        if header in read:
+            yield read[0]
+
+
 def of_a_command():
     """All that knows the list of commands, and the new file."""
     old, new = 'apps/run_sweep.c', 'apps/run_rates.c'
-    known = dict(commands())
+    known, knows = dict(commands()), set(who_read('apps/catalogue.h'))
     yield from ((name, command) for name, command in known.items()
-                if name.startswith('apps/') and name != 'apps/crew_mpi.c')
+                if name in knows and name != 'apps/crew_mpi.c')
     yield new, [word.replace(old, new) for word in known[old]]
 
 
