@@ -93,6 +93,25 @@ def an_ensemble_is_shared_like_a_sweep(room):
     expect(room.names() == ['a.h5', 'draws.yaml', 'whole.h5'], room.names())
 
 
+def reasons_have_the_order_of_the_draws(room):
+    """though a share meets them in another: seed 7 has rare ones"""
+    room.write('draws.yaml', """
+law: {preset: spinodal_gen}
+slope: {alpha: 0.34}
+ensemble:
+  parameters: {material.a: {normal: [0.0349, 0.01]}, slope.alpha: {normal: [
+               0.34, 0.03]}, material.b: {normal: [0.0489, 0.013]}}
+  draws: 6000
+  seed: 7
+  numbers: [saddle_v]
+""")
+    room.good('ensemble', 'draws.yaml', '-o', 'whole.h5')
+    for share in ('3/3', '1/3', '2/3'):
+        room.good('ensemble', 'draws.yaml', '-o', 'a.h5', '--shard', share)
+    room.good('merge', 'draws.yaml', '-o', 'a.h5')
+    expect(room.bytes('a.h5') == room.bytes('whole.h5'), 'the same bytes')
+
+
 def an_interrupted_share_goes_on_or_is_completed(room):
     room.good('sweep', *SWEEP, '-o', 'whole.h5')
     for share in ('1/2', '2/2'):
@@ -224,6 +243,7 @@ def ranks_complain_once(room):
 SHARES = [
     shares_are_merged_into_the_bytes_of_one_run,
     an_ensemble_is_shared_like_a_sweep,
+    reasons_have_the_order_of_the_draws,
     an_interrupted_share_goes_on_or_is_completed,
     what_is_missing_or_wrong_costs_one_line,
 ]

@@ -163,6 +163,8 @@ enum status ensemble_summary(struct ensemble *e, struct fault *why)
     e->push = calloc(e->batch.pushes + 1, sizeof *e->push);
     if (s == NULL || e->number == NULL || e->push == NULL)
         status = STATUS_NO_MEMORY;
+    if (status == STATUS_OK)
+        status = spool_sort(&e->spool, &e->reasons, why);
     for (size_t k = 0; k < e->batch.numbers && status == STATUS_OK; k++)
         status = sum_number(e, s, k, why);
     for (size_t k = 0; k < e->batch.pushes && status == STATUS_OK; k++)

@@ -249,11 +249,75 @@ enum status spool_push(struct spool *s, size_t block, struct fault *why)
     return sweep_journal_row(&s->journal, &s->rows, block, s->block, why);
 }
 
+static bool is_code(enum spool_kind kind)
+{
+    return kind == SPOOL_CODE || kind == SPOOL_FATE_REASON;
+}
+
 enum status spool_read(const struct spool *s, size_t block,
                        enum spool_kind kind, size_t k, void *out,
                        struct fault *why)
 {
-    return sweep_journal_read(&s->journal, &s->rows, block,
-                              offset_of(&s->shape, (int) kind, k), out,
-                              spool_count(s, block) * size_of(kind), why);
+    const size_t count = spool_count(s, block);
+    int8_t *code = out;
+    const enum status status = sweep_journal_read(
+        &s->journal, &s->rows, block, offset_of(&s->shape, (int) kind, k), out,
+        count * size_of(kind), why);
+
+    for (size_t i = 0; i < count && is_code(kind) && status == STATUS_OK; i++)
+        if (s->sorted[code[i]] > 0)
+            code[i] = s->sorted[code[i]];
+    return status;
+}
+
+/* ---- reasons ------------------------------------------------------------- */
+
+/* Those of a column that are new, in its order. */
+static enum status sort_column(const struct spool *s, size_t block,
+                               enum spool_kind kind, size_t k,
+                               const struct sweep_reasons *old,
+                               struct sweep_reasons *sorted, int8_t to[],
+                               struct fault *why)
+{
+    int8_t code[SPOOL_DRAWS];
+    enum status status = spool_read(s, block, kind, k, code, why);
+
+    for (size_t i = 0; i < spool_count(s, block) && status == STATUS_OK; i++)
+        if (code[i] >= REASON_FIRST && to[code[i]] == 0)
+            status =
+                sweep_reasons_code(sorted, old->text[code[i]], &to[code[i]]);
+    return status;
+}
+
+static enum status sort_block(const struct spool *s, size_t block,
+                              const struct sweep_reasons *old,
+                              struct sweep_reasons *sorted, int8_t to[],
+                              struct fault *why)
+{
+    static const enum spool_kind kind[] = { SPOOL_CODE, SPOOL_FATE_REASON };
+    enum status status = STATUS_OK;
+
+    for (size_t j = 0; j < 2; j++)
+        for (size_t k = 0; k < columns_of(&s->shape, kind[j]) && !status; k++)
+            status = sort_column(s, block, kind[j], k, old, sorted, to, why);
+    return status;
+}
+
+enum status spool_sort(struct spool *s, struct sweep_reasons *reasons,
+                       struct fault *why)
+{
+    struct sweep_reasons sorted;
+    int8_t to[REASONS_MAX] = { 0 };
+    enum status status = sweep_reasons_init(&sorted);
+
+    for (size_t b = 0; b < spool_blocks(s) && status == STATUS_OK; b++)
+        status = sort_block(s, b, reasons, &sorted, to, why);
+    if (status != STATUS_OK) {
+        sweep_reasons_free(&sorted);
+        return status;
+    }
+    memcpy(s->sorted, to, sizeof to);
+    sweep_reasons_free(reasons);
+    *reasons = sorted;
+    return STATUS_OK;
 }

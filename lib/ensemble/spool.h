@@ -29,6 +29,8 @@ struct spool {
     struct sweep_rows rows; /* owned; a row a block, x[0] being its number */
     char *block;            /* owned; the one being filled */
     bool *there;            /* owned; blocks that are whole, in any file */
+    int8_t sorted[REASONS_MAX]; /* the code of a sentence by that in the file;
+                                   0 unless sorted */
 };
 
 /* Opens the file of a run with this key (o->journal); without a path one in
@@ -57,6 +59,13 @@ MUST_CHECK enum status spool_push(struct spool *s, size_t block,
  * STATUS_IO. */
 MUST_CHECK enum status spool_read(const struct spool *s, size_t block,
                                   enum spool_kind kind, size_t k, void *out,
+                                  struct fault *why);
+
+/* Of a whole file: from now on sentences have the codes of the order in which
+ * the draws meet them, whatever the order of arrival was; *reasons likewise.
+ * STATUS_IO, STATUS_NO_MEMORY. */
+MUST_CHECK enum status spool_sort(struct spool *s,
+                                  struct sweep_reasons *reasons,
                                   struct fault *why);
 
 /* Closes the file, which stays if it has a path.  A second call is harmless. */
