@@ -65,8 +65,9 @@ const struct command command_table[COMMANDS] = {
       "one state: stops or slides, and what changes it",
       "Says of the state of --v and --psi whether it stops or slides for "
       "ever, how far and how long it slides, and which smallest kick would "
-      "change its fate. --states reads many from a CSV file. Of a system of "
-      "formulas: whereto --state goes.",
+      "change its fate. --states reads many from a CSV file. With inputs "
+      "X +- S: how likely it stops. Of a system of formulas: whereto --state "
+      "goes.",
       "slipway push --law dieterich_gen --alpha 0.34 --v 1e3 --psi 10" },
     [COMMAND_SIMULATE] = { "simulate", 1, "[SCENE.yaml]",
       "the motion from a start: events, phases",

@@ -42,9 +42,9 @@ enum status command_read(const struct options *o, char *const more[],
 {
     static const unsigned makers = COMMAND_LIST(COMMAND_MAKE_BIT);
     static const unsigned planes = COMMAND_LIST(COMMAND_PLANE_BIT);
-    static const unsigned scatters = COMMAND_LIST(COMMAND_STUDY_BIT) +
-                                     (1u << COMMAND_ENSEMBLE) +
-                                     (1u << COMMAND_MERGE);
+    static const unsigned scatters =
+        COMMAND_LIST(COMMAND_STUDY_BIT) + (1u << COMMAND_ENSEMBLE) +
+        (1u << COMMAND_PUSH) + (1u << COMMAND_MERGE);
     char *set[OPTIONS_SETS + COMMAND_MORE];
     const size_t sets = o->sets + count;
 

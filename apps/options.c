@@ -62,7 +62,7 @@ const struct option option_table[] = {
       .commands = ON(ENSEMBLE) | ON(MERGE),
       .text = "how many materials" },
     { "draws", 0, "N", OPTION_TEXT, "ensemble.draws", TO(draws),
-      .commands = STUDIES & ~ON(PLAN),
+      .commands = (STUDIES & ~ON(PLAN)) | ON(PUSH),
       .text = "beside inputs X +- S: an ensemble of so many, too" },
     { "exact", 0, NULL, OPTION_FLAG, "basins.exact",
       .commands = (STUDIES & ~ON(KNEES)) | ON(SWEEP),

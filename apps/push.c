@@ -7,13 +7,18 @@
 #include <string.h>
 
 #include "command.h"
+#include "drawn.h"
 #include "json_results.h"
 #include "kick.h"
+#include "number.h"
 #include "output.h"
 #include "plane_push.h"
 #include "progress.h"
 #include "push_file.h"
+#include "push_scatter.h"
+#include "report_ensemble.h"
 #include "result_units.h"
+#include "scene_scatter.h"
 #include "scene_units.h"
 #include "state.h"
 #include "table.h"
@@ -24,7 +29,10 @@
 
 /* What was asked and what was found. */
 struct job {
+    const struct options *o;
     struct push push;
+    struct scene_push kick;     /* beside --from */
+    struct ensemble drawn;      /* owned; beside --draws */
     struct push_state *state;   /* owned */
     struct push_answer *answer; /* owned */
     size_t count;
@@ -100,14 +108,32 @@ static void name_answers(struct job *j)
     }
 }
 
+/* DV and its unit. */
+static enum status read_kick(const struct options *o, const struct scene *scene,
+                             struct scene_push *out, struct fault *why)
+{
+    enum unit_text in = UNIT_TEXT_BARE;
+
+    *out = (struct scene_push){ .from_creep = true };
+    if (!unit_text_read(unit_find("V_star"), o->kick, &out->v, &in))
+        return command_refuse(why,
+                              "push: --kick %s: expected a number, perhaps "
+                              "with m/s or V_star",
+                              o->kick);
+    out->is_si =
+        in == UNIT_TEXT_BARE ? scene->units == UNITS_SI : in == UNIT_TEXT_SI;
+    return STATUS_OK;
+}
+
 static enum status read_single(struct job *j, const struct options *o,
                                const struct scene *scene, struct fault *why)
 {
     struct scene_start z = { 0.0, 0.0 };
     enum status s = make_room(j, 1);
 
-    if (s == STATUS_OK && !o->from)
-        s = state_read(o, scene, &z, why);
+    if (s == STATUS_OK)
+        s = o->from ? read_kick(o, scene, &j->kick, why)
+                    : state_read(o, scene, &z, why);
     if (s == STATUS_OK)
         j->state[0] = (struct push_state){ z.v, z.psi };
     return s;
@@ -252,6 +278,8 @@ static json_t *answers_json(const struct job *j,
                          "units", "states", units);
     json_t *one = json_record(told->type, told->at);
     json_object_set_new(one, "units", units);
+    if (drawn_of(&j->drawn))
+        json_object_set_new(one, "ensemble", report_ensemble_json(&j->drawn));
     return one;
 }
 
@@ -260,16 +288,22 @@ static enum exit_code tell_answers(const struct options *o,
                                    const struct job *j)
 {
     const struct unit_system units = scene_units(scene);
-    struct result_view v = { .records = { &record_push, j->answer, j->count },
+    const bool scattered = scene->ensemble.scattered > 0;
+    struct result_view v = { .records = { &record_push[0][scattered], j->answer,
+                                          j->count },
                              .here = true };
+    const struct ensemble *drawn = drawn_of(&j->drawn);
     enum exit_code code = EXIT_DONE;
 
     if (result_tell(&units, &v) != STATUS_OK)
         return command_fail(STATUS_NO_MEMORY, status_text(STATUS_NO_MEMORY));
     if (o->json && !json_print(answers_json(j, &v.records)))
         code = command_unwritten();
-    else if (!o->json && !o->quiet && !output_is_standard(o))
+    else if (!o->json && !o->quiet && !output_is_standard(o)) {
         print_answers(j, scene, &v.records);
+        if (drawn)
+            report_ensemble_print(stdout, drawn);
+    }
     result_close(&v);
     return code;
 }
@@ -277,27 +311,38 @@ static enum exit_code tell_answers(const struct options *o,
 /* ---- the command --------------------------------------------------------- */
 
 /* The creep state with the kick. */
-static enum status kick(struct job *j, const struct options *o,
-                        const struct scene *scene, struct fault *why)
+static enum status kick(struct job *j, struct fault *why)
 {
-    struct scene_push p = { .from_creep = true };
-    enum unit_text in = UNIT_TEXT_BARE;
     struct scene_start at;
     const char *reason;
 
-    if (!unit_text_read(unit_find("V_star"), o->kick, &p.v, &in))
-        return command_refuse(why,
-                              "push: --kick %s: expected a number, perhaps "
-                              "with m/s or V_star",
-                              o->kick);
-    p.is_si =
-        in == UNIT_TEXT_BARE ? scene->units == UNITS_SI : in == UNIT_TEXT_SI;
-    if (!kick_state(&j->push.slider, &p, &at, &reason)) {
+    if (!kick_state(&j->push.slider, &j->kick, &at, &reason)) {
         snprintf(why->text, sizeof why->text, "push: --from creep: %s", reason);
         return STATUS_BAD_ARGUMENT;
     }
     j->state[0] = (struct push_state){ at.v, at.psi };
     return STATUS_OK;
+}
+
+/* The states of another material: what was asked, read in its units. */
+static bool states_of(void *ctx, const struct scene *scene,
+                      const struct slider *slider, struct push_state out[])
+{
+    const struct job *j = ctx;
+    struct scene_start z;
+    struct fault why;
+    const char *reason;
+    enum status s = STATUS_OK;
+
+    for (size_t i = 0; i < j->table.rows && s == STATUS_OK; i++)
+        s = read_row(j, scene, i, &out[i], &why);
+    if (j->table.rows > 0)
+        return s == STATUS_OK;
+    if (j->o->from ? !kick_state(slider, &j->kick, &z, &reason)
+                   : state_read(j->o, scene, &z, &why) != STATUS_OK)
+        return false;
+    out[0] = (struct push_state){ z.v, z.psi };
+    return true;
 }
 
 static enum status find_answers(struct job *j, const struct options *o,
@@ -307,14 +352,19 @@ static enum status find_answers(struct job *j, const struct options *o,
     enum status s = push_init(&j->push, scene, monitor, why);
 
     if (s == STATUS_OK && o->from)
-        s = kick(j, o, scene, why);
+        s = kick(j, why);
     if (s == STATUS_OK)
         s = check_states(j, why);
     if (s == STATUS_OK)
         s = push_tabulate(&j->push, monitor);
     if (s == STATUS_OK)
         s = push_find_all(&j->push, j->state, j->count, monitor, j->answer);
+    if (s == STATUS_OK && scene->ensemble.scattered > 0)
+        s = push_scatter_find(&j->push, &(struct push_source){ states_of, j },
+                              j->count, monitor, j->answer);
     progress_end();
+    if (s == STATUS_OK)
+        s = drawn_run(o, scene, &j->drawn, why);
     if (s == STATUS_OK)
         name_answers(j);
     return s;
@@ -324,9 +374,12 @@ static enum status write_answers(const struct options *o,
                                  const struct scene *scene, const struct job *j,
                                  struct fault *why)
 {
-    const struct push_answers all = { j->answer, j->count };
+    const struct push_answers all = { j->answer, j->count,
+                                      scene->ensemble.scattered > 0 };
     const enum status s =
-        o->output ? push_file_write(scene, &all, o->output, why) : STATUS_OK;
+        o->output
+            ? push_file_write(scene, &all, drawn_of(&j->drawn), o->output, why)
+            : STATUS_OK;
 
     if (s == STATUS_OK && o->output)
         output_tell(o, o->output);
@@ -335,7 +388,7 @@ static enum status write_answers(const struct options *o,
 
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
-    struct job j = { .count = 0 };
+    struct job j = { .o = o, .drawn = ENSEMBLE_EMPTY };
     struct fault why = { "" };
 
     if (scene->system)
@@ -349,11 +402,56 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     const enum exit_code code =
         s == STATUS_OK ? tell_answers(o, scene, &j) : command_fail(s, why.text);
     push_free(&j.push);
+    ensemble_free(&j.drawn);
     table_free(&j.table);
     free(j.state);
     free(j.answer);
     free(j.number);
     return code;
+}
+
+/* What was asked as pushes of the scene's ensemble. */
+static enum status push_setting(const struct options *o,
+                                const struct scene *scene, char text[160],
+                                struct fault *why)
+{
+    const struct unit *rate = unit_find("V_star");
+    struct scene_start z;
+    struct scene_push p;
+
+    if (o->states)
+        return command_refuse(why,
+                              "push: --states %s: draws are of one state, "
+                              "expected --v and --psi, or --from creep, or no "
+                              "draws",
+                              o->states);
+    const enum status s =
+        o->from ? read_kick(o, scene, &p, why) : state_read(o, scene, &z, why);
+    if (s == STATUS_OK && !o->from)
+        state_setting(o, "ensemble.pushes", text, 160);
+    if (s != STATUS_OK || !o->from)
+        return s;
+    snprintf(text, 160, "ensemble.pushes=[{from: creep, kick: %s%s}]",
+             number_shortest(p.v).text,
+             unit_text_name(rate, p.is_si ? UNIT_TEXT_SI : UNIT_TEXT_OWN).text);
+    return STATUS_OK;
+}
+
+/* Read again with them, where draws are asked for. */
+static enum status read_draws(const struct options *o, struct scene *scene,
+                              struct fault *why)
+{
+    char push[160], none[] = "ensemble.numbers=[]", *more[] = { none, push };
+    enum status s = drawn_check(o, scene, why);
+
+    if (s != STATUS_OK || !scene->ensemble.is_drawn ||
+        scene->ensemble.scattered == 0)
+        return s;
+    s = push_setting(o, scene, push, why);
+    if (s != STATUS_OK)
+        return s;
+    scene_free(scene);
+    return command_read(o, more, 2, scene, why);
 }
 
 static enum status read_scene(const struct options *o, struct scene *scene,
@@ -366,6 +464,10 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     if (s != STATUS_OK)
         return s;
     s = check_state(o, scene, why);
+    if (s == STATUS_OK && scene->system)
+        s = scene_scatter_refuse(scene, "push of a system", why);
+    else if (s == STATUS_OK)
+        s = read_draws(o, scene, why);
     if (s != STATUS_OK)
         scene_free(scene);
     return s;

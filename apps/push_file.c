@@ -12,11 +12,15 @@
 #include "scene_units.h"
 
 RESULT_VIEW(view_answers, push_answers, s->at, s->count)
+RESULT_VIEW_IF(view_arrest, push_answers, s->scattered,
+               result_lend(out, s->at, s->count))
 
 /* clang-format off */
 static const struct result push_results[] = {
     { "/push", NULL, "push: states and what becomes of them", RESULT_COLUMNS,
-      .type = &record_push_row, .view = view_answers },
+      .type = &record_push[1][0], .view = view_answers },
+    { "/push_arrest", NULL, "push where inputs scatter: the same states",
+      RESULT_COLUMNS, .type = &record_push_arrest, .view = view_arrest },
     { .path = NULL },
 };
 /* clang-format on */
@@ -57,8 +61,8 @@ static enum status write_csv(const struct scene *scene,
                              const char *path, struct fault *why)
 {
     const struct unit_system units = scene_units(scene);
-    struct result_view v = { .records = { &record_push_row, answers->at,
-                                          answers->count } };
+    struct result_view v = { .records = { &record_push[1][answers->scattered],
+                                          answers->at, answers->count } };
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
@@ -78,11 +82,12 @@ static enum status write_csv(const struct scene *scene,
 
 enum status push_file_write(const struct scene *scene,
                             const struct push_answers *answers,
-                            const char *path, struct fault *why)
+                            const struct ensemble *drawn, const char *path,
+                            struct fault *why)
 {
     const struct results all = { .table = push_tables, .run = answers };
 
     return is_csv(path) ? write_csv(scene, answers, path, why)
-                        : result_file_write("push", &all, scene, NULL,
+                        : result_file_write("push", &all, scene, drawn,
                                             scene->law.preset, path, NULL, why);
 }

@@ -341,7 +341,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     scene_free(scene);
     if (s != STATUS_OK)
         return s;
-    state_setting(o, start, sizeof start);
+    state_setting(o, "trajectories.starts", start, sizeof start);
     return command_read(o, more, 1, scene, why);
 }
 

@@ -34,7 +34,8 @@ enum status state_read(const struct options *o, const struct scene *s,
     return STATUS_BAD_ARGUMENT;
 }
 
-void state_setting(const struct options *o, char *text, size_t size)
+void state_setting(const struct options *o, const char *key, char *text,
+                   size_t size)
 {
     const struct unit *rate = unit_find("V_star");
     enum unit_text in = UNIT_TEXT_BARE;
@@ -42,9 +43,9 @@ void state_setting(const struct options *o, char *text, size_t size)
 
     (void) unit_text_read(rate, o->v, &v, &in);
     (void) number_read(o->psi ? o->psi : o->phi, &state);
-    snprintf(text, size, "trajectories.starts=[{v: %s%s, %s: %s}]",
-             number_shortest(v).text, unit_text_name(rate, in).text,
-             o->psi ? "psi" : "phi", number_shortest(state).text);
+    snprintf(text, size, "%s=[{v: %s%s, %s: %s}]", key, number_shortest(v).text,
+             unit_text_name(rate, in).text, o->psi ? "psi" : "phi",
+             number_shortest(state).text);
 }
 
 void state_print(FILE *out, const struct scene *s, double v, double psi)

@@ -13,8 +13,9 @@ MUST_CHECK enum status state_read(const struct options *o,
                                   const struct scene *s,
                                   struct scene_start *out, struct fault *why);
 
-/* The same as a setting of the scene, trajectories.starts=[...]. */
-void state_setting(const struct options *o, char *text, size_t size);
+/* The same as a setting of the scene, KEY=[{v: V, psi: PSI}]. */
+void state_setting(const struct options *o, const char *key, char *text,
+                   size_t size);
 
 /* "v = 1000 V_star = 0.001 m/s, psi = 10"; beside units: si "v = 0.001 m/s =
  * 1000 V_star, phi = 1e-05 s, psi = 10". */

@@ -202,6 +202,46 @@ def a_system_is_drawn_over_its_parameters(room):
                      '{normal: [1, 1]}}'), 2, 'system.parameters.NAME')
 
 
+def a_push_of_an_uncertain_material_has_a_spread(room):
+    """to first order, as draws have it, and how likely it stops"""
+    plain = room.json('push', *LAW, '--from', 'creep', '--kick', '2845')
+    for state in (['--from', 'creep', '--kick', '2845'],
+                  ['--v', '2.86e-3m/s', '--psi', '10']):
+        found = room.json('push', *LAW, *SCATTER, *state, '--draws', '4096',
+                          '-o', 'a.h5')
+        arrest = found['ensemble']['pushes'][0]['arrest']
+        expect(0.02 < arrest['value'] < 0.98 and
+               abs(found['arrest_linear'] - arrest['value']) <
+               0.01 + arrest['error'], found)
+        expect(found['v_kick']['spread'] > 1e3 * found['v_kick']['error'], found)
+    read = json.loads(room.reads(
+        'import h5py, json, sys; f = h5py.File(sys.argv[1])\n'
+        "print(json.dumps([f['push/v_kick_spread'][0],"
+        "f['push_arrest/arrest_linear'][0]]))",
+        'a.h5'))
+    expect(read == [found['v_kick']['spread'], found['arrest_linear']], read)
+    expect('arrest_linear' not in plain and 'spread' not in plain['slip'], plain)
+    half = 1e-6  # slip and time, by studies beside it
+    beside = [room.json('push', *LAW, '--from', 'creep', '--kick', '2845',
+                        '--set', f'material.a={0.0349 + by}')
+              for by in (half, -half)]
+    told = room.json('push', *LAW, '--from', 'creep', '--kick', '2845', '--set',
+                     'material.a=0.0349 +- 0.000001')
+    for name in ('slip', 'mu_mean', 'v_kick'):
+        if told[name]['value'] is None:
+            continue
+        rate = abs(beside[0][name]['value'] - beside[1][name]['value']) / 2
+        expect(abs(told[name]['spread'] / rate - 1) < 0.1, name, told, rate)
+    room.write('s.csv', 'v,psi\n2860,10\n10,1\n')
+    many = room.json('push', *LAW, *SCATTER, '--states', 's.csv')['states']
+    expect(abs(many[0]['arrest_linear'] - found['arrest_linear']) < 1e-4 and
+           many[1]['arrest_linear'] > 0.999, many, found)
+    refused(room.run('push', *LAW, *SCATTER, '--states', 's.csv', '--draws',
+                     '10'), 2, '--states s.csv: draws are of one state')
+    refused(room.run('push', *LAW, '--v', '1', '--psi', '1', '--draws', '10'), 2,
+            '--draws', 'X +- S')
+
+
 def parameters_that_scatter_give_equilibria_a_spread(room):
     """x = sqrt(c), and the real part is -a/2"""
     room.write('d.yaml', DUFFING.replace('basins]', 'manifolds]'))
@@ -244,16 +284,18 @@ def scatter_is_refused_where_it_says_nothing(room):
     room.write('s.yaml', 'law: {preset: spinodal_gen}\nslope: {alpha: 0.34}\n'
                          'material: {a: 0.0349 +- 0.0005}\n'
                          'sweep: {key: slope.alpha, values: [0.33, 0.34]}\n')
-    for command, *more in [('push', '--v', '1', '--psi', '1'), ('sweep',),
-                           ('simulate', '--v', '1', '--psi', '1'),
+    for command, *more in [('sweep',), ('simulate', '--v', '1', '--psi', '1'),
                            ('rabinowicz',), ('check', '--record'),
                            ('export', '--as', 'auto'), ('workprec',)]:
         refused(room.run(command, 's.yaml', *more), 2, 's.yaml:3:15: material.a',
                 f'{command} does not tell what +- makes')
-    refused(room.run('push', *LAW, *SCATTER, '--v', '1', '--psi', '1'), 2,
-            '--set material.a=0.0349 +- 5e-05', 'push')
+    refused(room.run('simulate', *LAW, *SCATTER, '--v', '1', '--psi', '1'), 2,
+            '--set material.a=0.0349 +- 5e-05', 'simulate')
+    room.write('d.yaml', DUFFING.replace('a: 0.5', 'a: 0.5 +- 0.1'))
+    refused(room.run('push', 'd.yaml', '--state', 'x=1,y=0'), 2,
+            'push of a system does not tell')
     refused(room.run('knees', *LAW, '--draws', '100'), 2, '--draws', 'X +- S')
-    expect(room.names() == ['s.yaml'], room.names())
+    expect(room.names() == ['d.yaml', 's.yaml'], room.names())
 
 
 def what_is_wrong_is_one_line_and_nothing_is_written(room):
@@ -388,6 +430,7 @@ run_cases([
     draws_beyond_a_law_are_counted,
     inputs_that_scatter_give_each_number_a_spread,
     a_system_is_drawn_over_its_parameters,
+    a_push_of_an_uncertain_material_has_a_spread,
     parameters_that_scatter_give_equilibria_a_spread,
     what_sweeps_have_by_name_is_drawn,
     scatter_is_refused_where_it_says_nothing,

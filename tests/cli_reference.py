@@ -52,6 +52,8 @@ MORE = [
     ('basin --proved --law kato_tullis --alpha 0.34', ['material.V_c=1e3', *SMALL]),
     ('knees --proved --law dieterich --alpha 0.34', []),
     ('push --law spinodal_gen --alpha 0.34 --v 1e3 --psi 10', []),
+    ('push --law spinodal_gen --alpha 0.34 --from creep --kick 10',
+     ['material.a=0.0349 +- 0.0001']),
     ('workprec --quick --law ruina --alpha 0.34', []),
     ('stress --only laws/perrin/log/0.38', []),
 ]

@@ -34,16 +34,27 @@ static const struct record_field push_fields[] = {
           "factor on v to the nearest other fate"),
     FIELD(push_answer, QUANTITY, psi_kick, "kick of psi",
           "factor on psi (or shift of it) to the nearest other fate"),
+    { .name = "arrest_linear",
+      .unit = "1",
+      .text = "probability that it creeps or rests, with the inputs normal and "
+              "ln v_kick linear in them",
+      .offset = offsetof(struct push_answer, arrest),
+      .kind = RECORD_REAL },
 };
-const struct record_type record_push_row =
-    RECORD_TYPE("push", "what becomes of a state and what would change that",
-                push_fields, push_answer);
-const struct record_type record_push = {
-    "push", "what becomes of a state and what would change that",
-    push_fields + STATE_FIELDS,
-    sizeof push_fields / sizeof *push_fields - STATE_FIELDS,
-    sizeof(struct push_answer)
+#define PUSH_RECORD(first, last)                                               \
+    {                                                                          \
+        "push", "what becomes of a state and what would change that",          \
+            push_fields + (first),                                             \
+            sizeof push_fields / sizeof *push_fields - (first) - (last),       \
+            sizeof(struct push_answer)                                         \
+    }
+const struct record_type record_push[2][2] = {
+    { PUSH_RECORD(STATE_FIELDS, 1), PUSH_RECORD(STATE_FIELDS, 0) },
+    { PUSH_RECORD(0, 1), PUSH_RECORD(0, 0) },
 };
+
+const struct record_type record_push_arrest =
+    PUSH_RECORD(sizeof push_fields / sizeof *push_fields - 1, 0);
 
 static const unsigned integrals =
     1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
@@ -265,7 +276,9 @@ static enum status answer(const struct push *p, struct push_state at,
     const struct vec2 z = block_offset(&p->slider.block, at.v, at.psi);
     struct fate_told label;
 
-    *out = (struct push_answer){ .at = at, .fate = FATE_NONE };
+    *out = (struct push_answer){ .at = at,
+                                 .fate = FATE_NONE,
+                                 .arrest = (double) NAN };
     enum status s = find_kicks(p, z, out);
     if (s == STATUS_OK)
         s = labels_find(&p->labels, z, monitor, &label);

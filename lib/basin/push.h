@@ -34,9 +34,12 @@ struct push_answer {
     /* Factors on v and on psi (a shift of psi where psi is a logarithm) that
      * lead just onto the nearest boundary of another fate; beyond lies it. */
     struct quantity v_kick, psi_kick;
+    double arrest; /* where inputs scatter: lib/ensemble/push_scatter.h; NaN:
+                      it is not known */
 };
-extern const struct record_type record_push;     /* from fate on */
-extern const struct record_type record_push_row; /* all of it */
+/* [0]: from fate on, [1]: with the state before it; [][0]: to the kicks, [][1]:
+ * with arrest.  And arrest alone. */
+extern const struct record_type record_push[2][2], record_push_arrest;
 
 struct push {
     const struct scene *scene; /* borrowed */

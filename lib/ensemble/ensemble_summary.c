@@ -72,13 +72,6 @@ static enum status sum_number(struct ensemble *e, struct sums *s, size_t k,
 
 /* ---- pushes -------------------------------------------------------------- */
 
-/* Whether a block of that fate ends at rest, or creeps as it did. */
-static bool fate_stops(int fate)
-{
-    return fate == FATE_CREEP || fate == FATE_REST_FINITE ||
-           fate == FATE_REST_ASYMPTOTIC;
-}
-
 /* One draw: whether its fate is f, less what is known to even out. */
 static void add_fate(const struct ensemble *e, struct sums *s, size_t i,
                      int fate)

@@ -23,6 +23,13 @@ enum fate {
     FATE_UNDECIDED,
     FATES
 };
+
+/* Whether a block of that fate ends at rest, or creeps as it did. */
+static inline bool fate_stops(int fate)
+{
+    return fate == FATE_CREEP || fate == FATE_REST_FINITE ||
+           fate == FATE_REST_ASYMPTOTIC;
+}
 enum { FATE_NONE = -1 }; /* no cell, no value */
 extern const char *const fate_names[];
 

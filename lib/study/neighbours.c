@@ -132,11 +132,9 @@ void neighbours_free(struct neighbours *f)
 
 /* ---- rates --------------------------------------------------------------- */
 
-/* d q/d nudge from its neighbours; false where they do not tell it: one is
- * missing, or the two differences are unlike. */
-static bool rate_of(const struct quantity *q, const struct quantity *up,
-                    const struct quantity *down, double nudge, double *rate)
+bool neighbours_rate(const struct quantity q[3], double nudge, double *rate)
 {
+    const struct quantity *up = &q[UP], *down = &q[DOWN];
     const bool above = quantity_exists(up), below = quantity_exists(down);
 
     if (!quantity_exists(q) || (!above && !below))
@@ -152,21 +150,17 @@ static bool rate_of(const struct quantity *q, const struct quantity *up,
     return fabs(second) <= TOL_FAR_BELOW * fabs(first) + noise;
 }
 
-/* Number i, in the SI. */
-static struct quantity in_si(const struct neighbour *n, size_t i)
-{
-    return unit_quantity(&n->units, n->numbers.unit[i], *n->numbers.at[i]);
-}
-
 static void set_rate(const struct neighbour n[AROUND], size_t i, double nudge,
                      struct neighbour_rate *rate)
 {
-    const struct quantity here = in_si(&n[HERE], i), up = in_si(&n[UP], i),
-                          down = in_si(&n[DOWN], i);
+    struct quantity own[AROUND], si[AROUND];
 
-    rate->settled = rate_of(n[HERE].numbers.at[i], n[UP].numbers.at[i],
-                            n[DOWN].numbers.at[i], nudge, &rate->own);
-    (void) rate_of(&here, &up, &down, nudge, &rate->si);
+    for (int k = 0; k < AROUND; k++) {
+        own[k] = *n[k].numbers.at[i];
+        si[k] = unit_quantity(&n[k].units, n[k].numbers.unit[i], own[k]);
+    }
+    rate->settled = neighbours_rate(own, nudge, &rate->own);
+    (void) neighbours_rate(si, nudge, &rate->si);
 }
 
 /* False if some would rather have a smaller nudge. */

@@ -44,6 +44,11 @@ struct neighbour_rate {
     bool settled; /* both neighbours have it, and tell alike */
 };
 
+/* d q/d nudge from a number, q[0], and from those of its two neighbours; false
+ * where they do not tell it: one is missing, or the two differences are
+ * unlike. */
+bool neighbours_rate(const struct quantity q[3], double nudge, double *rate);
+
 /* Moves an input; false: that is out of its range. */
 typedef bool neighbour_move(const void *ctx, double nudge, struct scene *c);
 
