@@ -88,16 +88,19 @@ static enum status put_number(const struct file *f, size_t k)
 
 static enum status put_fates(const struct file *f, size_t k)
 {
+    const bool plane = f->e->scene->system != NULL;
     char name[32];
+    const struct record_field field = {
+        .name = name,
+        .unit = "1",
+        .text = plane ? "whereto the pushed state goes, or why there is none"
+                      : "what becomes of the pushed state",
+        .kind = RECORD_CODE,
+        .codes = plane ? sweep_reasons_words(&f->e->reasons) : fate_names
+    };
 
     snprintf(name, sizeof name, "push_%zu", k);
-    return put_column(
-        f, SPOOL_FATE, k,
-        &(struct record_field){ .name = name,
-                                .unit = "1",
-                                .text = "what becomes of the pushed state",
-                                .kind = RECORD_CODE,
-                                .codes = fate_names });
+    return put_column(f, plane ? SPOOL_FATE_REASON : SPOOL_FATE, k, &field);
 }
 
 /* ---- the whole ----------------------------------------------------------- */

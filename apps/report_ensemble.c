@@ -3,13 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- what both say ------------------------------------------------------- */
-
-/* Fates, and what is none of them. */
-static const char *fate_word(int fate)
-{
-    return fate == (int) FATES ? "none" : fate_names[fate];
-}
+#include "system.h"
 
 /* ---- text ---------------------------------------------------------------- */
 
@@ -44,9 +38,11 @@ static void print_number(FILE *out, const struct ensemble *e, size_t k)
     fputs(", exists ", out);
     print_estimate(out, &n->exists);
     fputs("\n    quantiles", out);
-    for (int q = 0; q < ENSEMBLE_QUANTILES; q++)
-        fprintf(out, "%s %g: %.6g", q ? "," : "", ensemble_quantile[q],
-                n->quantile[q]);
+    for (int q = 0; q < ENSEMBLE_QUANTILES; q++) {
+        const struct estimate x = { n->quantile[q], (double) NAN };
+        fprintf(out, "%s %g: ", q ? "," : "", ensemble_quantile[q]);
+        print_estimate(out, &x);
+    }
     fputs("\n    variance", out);
     for (size_t p = 0; p < e->draws.keys; p++) {
         fprintf(out, "%s %s ", p ? "," : "", e->draws.key[p]);
@@ -56,22 +52,23 @@ static void print_number(FILE *out, const struct ensemble *e, size_t k)
     print_reasons(out, e, n->reason, "missing");
 }
 
+/* Those that are, and of a law arrest before them. */
 static void print_push(FILE *out, const struct ensemble *e, size_t k)
 {
     const struct ensemble_push *p = &e->push[k];
-    const char *rate = p->at.is_si ? "m/s" : "V_star";
+    const char *between = ":";
 
-    if (p->at.from_creep)
-        fprintf(out, "  from creep, kick %.6g %s", p->at.v, rate);
-    else
-        fprintf(out, "  v = %.6g %s, %s = %.6g", p->at.v, rate, p->state,
-                p->at.psi);
-    fputs(": arrest ", out);
-    print_estimate(out, &p->arrest);
-    for (int f = 0; f <= (int) FATES; f++)
+    fprintf(out, "  %s", p->said);
+    if (e->scene->system == NULL) {
+        fputs(": arrest ", out);
+        print_estimate(out, &p->arrest);
+        between = ",";
+    }
+    for (int f = 0; f <= GOALS; f++)
         if (p->count[f] > 0) {
-            fprintf(out, ", %s ", fate_word(f));
+            fprintf(out, "%s %s ", between, f == GOALS ? "none" : p->word[f]);
             print_estimate(out, &p->fate[f]);
+            between = ",";
         }
     fputc('\n', out);
     print_reasons(out, e, p->reason, "no fate");
@@ -127,19 +124,47 @@ static json_t *number_json(const struct ensemble *e,
                      reasons_json(e, n->reason));
 }
 
+/* What is asked of a law. */
+static json_t *push_asked(const struct ensemble_push *p)
+{
+    const char *unit = p->at.is_si ? "m/s" : "V_star";
+
+    return p->at.from_creep
+               ? json_pack("{s:s, s:o, s:s}", "from", "creep", "kick",
+                           json_number(p->at.v), "unit", unit)
+               : json_pack("{s:o, s:o, s:s}", "v", json_number(p->at.v),
+                           p->state, json_number(p->at.psi), "unit", unit);
+}
+
+/* And of a system. */
+static json_t *state_asked(const struct ensemble *e,
+                           const struct ensemble_push *p)
+{
+    const struct system_state *x = e->scene->system->state;
+    json_t *j =
+        json_pack("{s:{s:o, s:o}}", "state", x[0].name, json_number(p->at.v),
+                  x[1].name, json_number(p->at.psi));
+
+    if (p->at.from[0])
+        json_object_set_new(j, "from", json_string(p->at.from));
+    return j;
+}
+
 static json_t *push_json(const struct ensemble *e,
                          const struct ensemble_push *p)
 {
-    const char *unit = p->at.is_si ? "m/s" : "V_star";
-    json_t *j = p->at.from_creep
-                    ? json_pack("{s:s, s:o, s:s}", "from", "creep", "kick",
-                                json_number(p->at.v), "unit", unit)
-                    : json_pack("{s:o, s:o, s:s}", "v", json_number(p->at.v),
-                                p->state, json_number(p->at.psi), "unit", unit);
+    const bool plane = e->scene->system != NULL;
+    json_t *j = plane ? state_asked(e, p) : push_asked(p);
+    json_t *goals = plane ? json_object() : j;
 
-    json_object_set_new(j, "arrest", estimate_json(&p->arrest));
-    for (int f = 0; f <= (int) FATES; f++)
-        json_object_set_new(j, fate_word(f), estimate_json(&p->fate[f]));
+    if (plane)
+        json_object_set_new(j, "attractors", goals);
+    else
+        json_object_set_new(j, "arrest", estimate_json(&p->arrest));
+    for (int f = 0; f < GOALS; f++)
+        if (p->word[f])
+            json_object_set_new(goals, p->word[f], estimate_json(&p->fate[f]));
+    json_object_set_new(j, "none", estimate_json(&p->fate[GOALS]));
     json_object_set_new(j, "reasons", reasons_json(e, p->reason));
     return j;
 }

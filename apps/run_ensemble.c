@@ -33,9 +33,10 @@ void picture_ensemble_panels(const struct scene *s,
     size_t n = 0;
 
     panel[n++] = "";
-    if (s->ensemble.pushes > 0 && has_numbers(s))
+    if (s->ensemble.pushes > 0 && has_numbers(s) && s->system == NULL)
         panel[n++] = "_arrest";
-    panel[n++] = "_matrix";
+    if (has_numbers(s) || s->system == NULL)
+        panel[n++] = "_matrix";
     panel[n] = NULL;
 }
 
@@ -308,11 +309,11 @@ static enum status picture_ensemble(const struct ensemble *e, struct panels *p,
     picture_ensemble_panels(e->scene, panel);
     for (size_t i = 0; panel[i] && status == STATUS_OK; i++) {
         struct figure *f = panels_add(p, panel[i]);
-        if (strcmp(panel[i], "_arrest") == 0 ||
-            (i == 0 && !has_numbers(e->scene)))
-            arrest(e, f);
-        else if (strcmp(panel[i], "_matrix") == 0)
+        const bool pushes = i == 0 && !has_numbers(e->scene);
+        if (strcmp(panel[i], "_matrix") == 0 || (pushes && e->scene->system))
             status = matrix(e, f, why);
+        else if (strcmp(panel[i], "_arrest") == 0 || pushes)
+            arrest(e, f);
         else
             status = distribution(e, f, why);
     }

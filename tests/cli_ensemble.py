@@ -195,11 +195,53 @@ def a_system_is_drawn_over_its_parameters(room):
     expect(list(one['numbers']) == ['count_attractors'], one)
     refused(room.run(*call, '--set', 'ensemble.numbers=[v_plus]'), 2,
             "v_plus: no number of this system's sweeps")
-    refused(room.run(*call, '--set', 'ensemble.pushes=[{v: 1, psi: 1}]'), 2,
-            'not for a system')
     refused(room.run('ensemble', 'd.yaml', '--set',
                      'ensemble.parameters={system.parameters.b: '
                      '{normal: [1, 1]}}'), 2, 'system.parameters.NAME')
+
+
+def pushes_of_a_system_go_where_push_says(room):
+    """each draw, from a state and from an equilibrium; wrong ones in a line"""
+    room.write('d.yaml', DUFFING.replace(', basins]', ']'))
+    draws = [(0.1 + 0.035 * i, 1 + 0.05 * i) for i in range(11)] + [(0.3, -1)]
+    room.write('s.csv', 'system.parameters.a,system.parameters.c\n' + ''.join(
+        f'{a!r},{c!r}\n' for a, c in draws))
+    call = ['ensemble', 'd.yaml', '--set', 'ensemble.samples=s.csv', '--set',
+            'ensemble.numbers=[]', '--set']
+    pushes = ('ensemble.pushes=[{x: 0.4, y: 1.2}, {from: saddle_0, x: 0.3}, '
+              '{from: saddle_0, y: -0.2, x: 0.1}]')
+    found = room.json(*call, pushes, '-o', 'a.h5', '--figure', 'a.svg')
+    read = json.loads(room.reads(
+        'import h5py, json, sys; f = h5py.File(sys.argv[1])\n'
+        'e, g = f["ensemble"], f["ensemble_goals"]\n'
+        'def words(d): return [str(d.attrs["flag_meanings"].decode()).split()'
+        '[i] for i in d]\n'
+        'print(json.dumps([[words(e[f"push_{k}"]) for k in range(3)],'
+        'g["attractor"].asstr()[:].tolist(), g["probability"][:].tolist()]))',
+        'a.h5'))
+    for k, state in enumerate([(0.4, 1.2), (0.3, 0), (0.1, -0.2)]):
+        said = [room.json('push', 'd.yaml', '--state', 'x={},y={}'.format(*state),
+                          *(f'--set=system.parameters.{name}={value!r}'
+                            for name, value in zip('ac', draw)))['attractor']
+                for draw in draws]
+        if k > 0:  # the saddle, at the origin, is a node in the last
+            said[-1] = 'there_is_no_saddle_0'
+        expect(read[0][k] == said, k, read[0][k], said)
+        told, push = found['pushes'][k]['attractors'], found['pushes'][k]
+        share = {name: said.count(name) / 12 for name in said}
+        none = share.pop('there_is_no_saddle_0', 0)
+        expect(told.keys() == share.keys() and
+               all(abs(told[name]['value'] - share[name]) < 1e-12
+                   for name in told) and
+               abs(push['none']['value'] - none) < 1e-12, told, share)
+    expect(len({name for word in read[0] for name in word}) > 2 and
+           abs(sum(read[2]) - 3) < 1e-12, read)
+    expect(room.names() == ['a.h5', 'a.svg', 'd.yaml', 's.csv'], room.names())
+    refused(room.run(*call, 'ensemble.pushes=[{v: 1, psi: 1}]'), 2,
+            "unknown key 'v', expected x and y")
+    refused(room.run(*call, 'ensemble.pushes=[{x: 1}]'), 2, 'y: missing')
+    refused(room.run(*call, 'ensemble.pushes=[{from: saddle_0}]'), 2, 'missing')
+    refused(room.run(*call, 'ensemble.pushes=[{from: [1], x: 1}]'), 2, 'from: ')
 
 
 def a_push_of_an_uncertain_material_has_a_spread(room):
@@ -430,6 +472,7 @@ run_cases([
     draws_beyond_a_law_are_counted,
     inputs_that_scatter_give_each_number_a_spread,
     a_system_is_drawn_over_its_parameters,
+    pushes_of_a_system_go_where_push_says,
     a_push_of_an_uncertain_material_has_a_spread,
     parameters_that_scatter_give_equilibria_a_spread,
     what_sweeps_have_by_name_is_drawn,

@@ -26,9 +26,9 @@ WORDS = {'exists': ['absent', 'present'],
 DTYPES = {'real': 'float64', 'count': 'int64', 'code': 'int8', 'text': 'object'}
 SETS, ATTRIBUTES = 0, 1
 DRAWN = ['/sweep', '/ensemble']  # reasons by their codes
-# A map and its audit do not disagree in any scene there is, and these are
-# missing on no slope that workprec takes.
-NEVER = {'/basin/disagreement', '/workprec curve', '/workprec transient',
+# A map and its audit do not disagree in any scene there is, these are missing on
+# no slope that workprec takes, and files of systems are not read.
+NEVER = {'/basin/disagreement', '/ensemble_goals', '/workprec curve', '/workprec transient',
          '/workprec basin_rows'}
 
 

@@ -8,73 +8,12 @@
 #include <string.h>
 
 #include "batch_fate.h"
+#include "batch_goal.h"
+#include "batch_keys.h"
 #include "batch_points.h"
 #include "ensemble_tolerance.h"
 #include "scene_parameter.h"
-#include "scene_slope.h"
-#include "schema.h"
 #include "study_results.h"
-
-/* ---- keys ---------------------------------------------------------------- */
-
-static enum status blame(struct fault *why, const char *name, const char *what)
-{
-    snprintf(why->text, sizeof why->text, "%s: %s", text_shown(name).text,
-             what);
-    return STATUS_BAD_ARGUMENT;
-}
-
-static enum status check_key(const struct batch *b, size_t k, struct fault *why)
-{
-    const char *path = b->key[k].path;
-
-    if (b->scene->system ? !scene_parameter_is(b->scene, path)
-                         : !scene_vary_is(&b->key[k]))
-        return blame(why, path,
-                     b->scene->system
-                         ? "no parameter, expected system.parameters.NAME"
-                         : "no key of a number, expected one such as "
-                           "material.a");
-    for (size_t i = 0; i < k; i++)
-        if (strcmp(b->key[i].path, path) == 0 ||
-            schema_excludes(b->key[i].path, path))
-            return blame(why, path, "beside itself or a key that excludes it");
-    return STATUS_OK;
-}
-
-static enum status take_keys(struct batch *b, const char *const key[],
-                             size_t keys, struct fault *why)
-{
-    enum status status = STATUS_OK;
-
-    b->key = calloc(keys + 1, sizeof *b->key);
-    b->beyond = calloc(keys + 1, sizeof *b->beyond);
-    if (b->key == NULL || b->beyond == NULL)
-        return STATUS_NO_MEMORY;
-    for (b->keys = 0; b->keys < keys && status == STATUS_OK; b->keys++) {
-        const size_t k = b->keys;
-        b->key[k] = scene_vary_at(b->scene, key[k]);
-        status = check_key(b, k, why);
-        if (status == STATUS_OK &&
-            asprintf(&b->beyond[k], "%s is not allowed, expected %s", key[k],
-                     scene_vary_expected(&b->key[k], b->scene)) < 0) {
-            b->beyond[k] = NULL;
-            status = STATUS_NO_MEMORY;
-        }
-    }
-    return status;
-}
-
-/* Every draw has a slope. */
-static enum status check_slope(const struct batch *b, struct fault *why)
-{
-    for (size_t k = 0; k < b->keys; k++)
-        if (strncmp(b->key[k].path, "slope.", 6) == 0)
-            return STATUS_OK;
-    if (b->scene->system)
-        return STATUS_OK;
-    return scene_slope_demand(b->scene, 1u << PRODUCT_EQUILIBRIA, why);
-}
 
 /* ---- numbers ------------------------------------------------------------- */
 
@@ -133,11 +72,11 @@ static enum status take_named(struct batch *b, const struct result_numbers *all,
             return STATUS_NO_MEMORY;
         const struct sweep_column *c = column_of(b->points, name[i]);
         if (c == NULL)
-            return blame(why, name[i],
-                         b->scene->system
-                             ? "no number of this system's sweeps"
-                             : "no number of a study, expected one such as "
-                               "v_plus, or a single one of the products");
+            return batch_keys_blame(
+                why, name[i],
+                b->scene->system ? "no number of this system's sweeps"
+                                 : "no number of a study, expected one such as "
+                                   "v_plus, or a single one of the products");
         take_column(b, c);
     }
     return STATUS_OK;
@@ -239,9 +178,7 @@ static enum status begin(struct batch *b, const char *const key[], size_t keys,
                          const char *const name[], size_t names,
                          struct fault *why)
 {
-    enum status status = take_keys(b, key, keys, why);
-    if (status == STATUS_OK)
-        status = check_slope(b, why);
+    enum status status = batch_keys_take(b, key, keys, why);
     if (status == STATUS_OK)
         status = take_numbers(b, name, names, why);
     bool saddle = true; /* columns of steady states are those of nodes, too */
@@ -271,11 +208,27 @@ enum status batch_init(struct batch *b, const struct scene *scene,
     return status;
 }
 
-void batch_push(struct batch *b, const struct scene_push push[], size_t pushes)
+/* Attractors are those of basins, which nobody need audit. */
+static enum status push_system(struct batch *b)
+{
+    b->words = calloc(1, sizeof *b->words);
+    if (b->words == NULL || begin_points(b) != STATUS_OK)
+        return STATUS_NO_MEMORY;
+    struct scene *s = &b->points->scene;
+    if ((s->products & 1u << PRODUCT_BASINS) == 0)
+        s->audit = 0;
+    s->products |= 1u << PRODUCT_BASINS;
+    return STATUS_OK;
+}
+
+enum status batch_push(struct batch *b, const struct scene_push push[],
+                       size_t pushes)
 {
     b->push = push;
     b->pushes = pushes;
     b->stages &= pushes > 0 ? ~PLAN_SADDLE : ~0u; /* they come to nodes */
+    return b->scene && b->scene->system && pushes > 0 ? push_system(b)
+                                                      : STATUS_OK;
 }
 
 void batch_free(struct batch *b)
@@ -289,6 +242,9 @@ void batch_free(struct batch *b)
     if (b->points)
         batch_points_free(b->points);
     free(b->points);
+    if (b->words)
+        batch_words_free(b->words);
+    free(b->words);
     *b = (struct batch){ .scene = NULL };
 }
 
@@ -363,6 +319,7 @@ static enum status put_all(const struct task *t, size_t i,
         put(&t->out[k], i, &q);
     }
     return t->b->pushes == 0 ? STATUS_OK
+           : p->system       ? batch_goal_find(t->b, p, i, t->fates)
                              : batch_fate_find(t->b, p, i, monitor, t->fates);
 }
 

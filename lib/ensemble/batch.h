@@ -20,6 +20,7 @@
 #include "scene_vary.h"
 
 struct batch_points;
+struct batch_words;
 struct sweep_column;
 
 struct batch {
@@ -34,7 +35,8 @@ struct batch {
                                            it is; NULL: of a study */
     const struct scene_push *push;      /* borrowed */
     size_t pushes;
-    unsigned stages; /* bits of enum stage */
+    struct batch_words *words; /* owned; with pushes of a system */
+    unsigned stages;           /* bits of enum stage */
 };
 
 /* One number of all draws: any array may be NULL. */
@@ -44,7 +46,8 @@ struct batch_column {
     const char **reason; /* static, or owned by the batch; NULL: it exists */
 };
 
-/* The fates of one state in all draws. */
+/* The fates of one state in all draws; of a system whereto it goes: then fate
+ * is 0, and the reason the name of the attractor, and no array may be NULL. */
 struct batch_fates {
     int8_t *fate;        /* enum fate; -1: the draw has none */
     const char **reason; /* why a fate is undecided or is none; else NULL */
@@ -65,8 +68,10 @@ MUST_CHECK enum status batch_init(struct batch *b, const struct scene *scene,
                                   struct fault *why);
 
 /* From now on the fates of these states, too, in the units of each draw's own
- * material; they must stay. */
-void batch_push(struct batch *b, const struct scene_push push[], size_t pushes);
+ * material; they must stay.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status batch_push(struct batch *b,
+                                  const struct scene_push push[],
+                                  size_t pushes);
 
 /* `count` draws, column[k][i] being the value of key k at draw i, into
  * out[numbers] and fates[pushes] (NULL: without pushes).  A draw whose values

@@ -192,10 +192,11 @@ static enum status open_batch(struct ensemble *e, struct fault *why)
 
     for (size_t i = 0; i < s->numbers; i++)
         name[i] = s->number[i].name;
-    const enum status status =
+    enum status status =
         batch_init(&e->batch, e->scene, e->draws.key, e->draws.keys,
                    s->number ? name : NULL, s->numbers, why);
-    batch_push(&e->batch, s->push, s->pushes);
+    if (status == STATUS_OK)
+        status = batch_push(&e->batch, s->push, s->pushes);
     return status == STATUS_BAD_ARGUMENT ? blame_number(e->scene, why) : status;
 }
 

@@ -22,6 +22,7 @@
 #include "fate.h"
 #include "spool.h"
 #include "tally.h"
+#include "variate.h"
 
 /* 0.025, 0.16, 0.5, 0.84, 0.975. */
 enum { ENSEMBLE_QUANTILES = 5 };
@@ -39,10 +40,13 @@ struct ensemble_number {
 struct ensemble_push {
     const char *from, *unit, *state; /* as files have them */
     struct scene_push at;            /* psi NaN: from creep */
-    struct estimate fate[FATES + 1]; /* of all draws; the last: none */
-    struct estimate arrest;          /* creep or either rest */
-    size_t count[FATES + 1];
-    size_t reason[REASONS_MAX];
+    char said[128];                  /* as people read it */
+    const char *word[GOALS]; /* borrowed: of fates, by code; of attractors,
+                                those most come to first; NULL: no goal */
+    struct estimate fate[GOALS + 1]; /* of all draws; the last: none */
+    struct estimate arrest;          /* creep or either rest; of a law */
+    size_t count[GOALS + 1];
+    size_t reason[REASONS_MAX]; /* why it is none, or undecided */
 };
 
 struct ensemble {

@@ -131,10 +131,47 @@ static const struct record_type record_push_row_of_draws = RECORD(
     FATE(FATE_REST_FINITE, "rest_finite"),
     FATE(FATE_REST_ASYMPTOTIC, "rest_asymptotic"),
     FATE(FATE_RUNAWAY, "runaway"), FATE(FATE_UNDECIDED, "undecided"),
-    FATE(FATES, "none"));
+    FATE(GOALS, "none"));
 
-RESULT_VIEW_IF(view_pushes, ensemble, s->batch.pushes > 0,
+RESULT_VIEW_IF(view_pushes, ensemble,
+               s->batch.pushes > 0 && s->scene->system == NULL,
                result_lend(out, s->push, s->batch.pushes))
+
+/* A row a push and an attractor. */
+struct goal_row {
+    int64_t push;
+    const char *state, *attractor;
+    struct estimate probability;
+};
+static const struct record_type record_goal_row =
+    RECORD(goal_row, "goal_row", "pushes of a system",
+           FIELD(goal_row, COUNT, push, "1", "which push, from 0 on"),
+           FIELD(goal_row, TEXT, state, "1", "its state"),
+           FIELD(goal_row, TEXT, attractor, "1",
+                 "whereto it goes; none: there is no such state"),
+           ESTIMATE(goal_row, "probability", probability, "probability of that",
+                    "that"));
+
+static enum status view_goals(const void *run, size_t k,
+                              struct result_view *out)
+{
+    const struct ensemble *e = run;
+    struct rows rows = rows_of(&record_goal_row);
+    enum status status = STATUS_OK;
+
+    if (e->batch.pushes == 0 || e->scene->system == NULL)
+        return STATUS_OK;
+    for (k = 0; k < e->batch.pushes; k++)
+        for (int f = 0; f <= GOALS && status == STATUS_OK; f++) {
+            const struct ensemble_push *p = &e->push[k];
+            const char *word = f == GOALS ? "none" : p->word[f];
+            if (word)
+                status =
+                    rows_push(&rows, &(struct goal_row){ (int64_t) k, p->said,
+                                                         word, p->fate[f] });
+        }
+    return rows_lend(out, &rows, status);
+}
 
 /* ---- the table ----------------------------------------------------------- */
 
@@ -152,6 +189,9 @@ static const struct result ensemble_results[] = {
       RESULT_COLUMNS, .type = &record_share_row, .view = view_shares },
     { "/ensemble_pushes", NULL, "ensemble: what the draws say of each push",
       RESULT_COLUMNS, .type = &record_push_row_of_draws, .view = view_pushes },
+    { "/ensemble_goals", NULL,
+      "ensemble of a system: what the draws say of each push", RESULT_COLUMNS,
+      .type = &record_goal_row, .view = view_goals },
     { .path = NULL },
 };
 

@@ -1,11 +1,13 @@
 #include "ensemble_summary.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "quantile.h"
 #include "shares.h"
-#include "variate.h"
+#include "system.h"
 
 const double ensemble_quantile[ENSEMBLE_QUANTILES] = { 0.025, 0.16, 0.5, 0.84,
                                                        0.975 };
@@ -13,10 +15,11 @@ const double ensemble_quantile[ENSEMBLE_QUANTILES] = { 0.025, 0.16, 0.5, 0.84,
 /* A block of a column, and what is added up. */
 struct sums {
     double value[SPOOL_DRAWS], error[SPOOL_DRAWS];
-    int8_t code[SPOOL_DRAWS], reason[SPOOL_DRAWS];
+    int8_t code[SPOOL_DRAWS], goal[SPOOL_DRAWS];
     struct tally value_sum, error_sum, exists;
-    struct tally fate[FATES + 1], arrest;
+    struct tally fate[GOALS + 1], arrest;
     struct variate variate;
+    int8_t of[REASONS_MAX]; /* of a system: the goal by its name's code */
 };
 
 /* ---- numbers ------------------------------------------------------------- */
@@ -72,16 +75,60 @@ static enum status sum_number(struct ensemble *e, struct sums *s, size_t k,
 
 /* ---- pushes -------------------------------------------------------------- */
 
-/* One draw: whether its fate is f, less what is known to even out. */
+/* Of a system the names that its draws have come to, by count and then by name:
+ * those beyond GOALS are one. */
+static void set_goals(const struct ensemble *e, struct ensemble_push *p,
+                      const size_t count[], int8_t of[])
+{
+    bool taken[REASONS_MAX] = { false };
+
+    for (int f = 0; f < GOALS; f++) {
+        size_t best = REASONS_MAX;
+        for (size_t r = 0; r < e->reasons.count; r++)
+            if (count[r] > 0 && !taken[r] &&
+                (best == REASONS_MAX || count[r] > count[best] ||
+                 (count[r] == count[best] &&
+                  strcmp(e->reasons.text[r], e->reasons.text[best]) < 0)))
+                best = r;
+        if (best == REASONS_MAX)
+            return;
+        taken[best] = true;
+        of[best] = (int8_t) f;
+        p->word[f] = best == REASON_ABSENT || f == GOALS - 1
+                         ? "others"
+                         : e->reasons.text[best];
+    }
+}
+
+static enum status find_goals(struct ensemble *e, struct sums *s, size_t k,
+                              struct fault *why)
+{
+    size_t count[REASONS_MAX] = { 0 };
+    enum status status = STATUS_OK;
+
+    for (size_t b = 0; b < spool_blocks(&e->spool) && !status; b++) {
+        status = spool_read(&e->spool, b, SPOOL_FATE, k, s->goal, why);
+        if (status == STATUS_OK)
+            status =
+                spool_read(&e->spool, b, SPOOL_FATE_REASON, k, s->code, why);
+        for (size_t i = 0; i < spool_count(&e->spool, b) && !status; i++)
+            count[s->code[i]] += s->goal[i] >= 0;
+    }
+    memset(s->of, GOALS - 1, sizeof s->of);
+    set_goals(e, &e->push[k], count, s->of);
+    return status;
+}
+
+/* One draw: whether its goal is f, less what is known to even out. */
 static void add_fate(const struct ensemble *e, struct sums *s, size_t i,
-                     int fate)
+                     int goal)
 {
     const size_t r = draws_repeat(&e->draws, i);
-    double off[FATES + 1], stops = 0.0;
+    double off[GOALS + 1], stops = 0.0;
 
     variate_at(&s->variate, i, off);
-    for (int f = 0; f <= (int) FATES; f++) {
-        const double one = (f == fate ? 1.0 : 0.0) - off[f];
+    for (int f = 0; f <= GOALS; f++) {
+        const double one = (f == goal ? 1.0 : 0.0) - off[f];
         tally_add(&s->fate[f], r, one);
         stops += fate_stops(f) ? one : 0.0;
     }
@@ -89,20 +136,19 @@ static void add_fate(const struct ensemble *e, struct sums *s, size_t i,
 }
 
 static enum status add_fates(struct ensemble *e, struct sums *s, size_t k,
-                             size_t block, struct fault *why)
+                             const int8_t of[], size_t block, struct fault *why)
 {
     struct ensemble_push *p = &e->push[k];
-    enum status status =
-        spool_read(&e->spool, block, SPOOL_FATE, k, s->code, why);
+    enum status status = variate_goals(&e->spool, block, k, of, s->goal, why);
 
     if (status == STATUS_OK)
         status =
-            spool_read(&e->spool, block, SPOOL_FATE_REASON, k, s->reason, why);
+            spool_read(&e->spool, block, SPOOL_FATE_REASON, k, s->code, why);
     for (size_t i = 0; i < spool_count(&e->spool, block) && !status; i++) {
-        const int fate = s->code[i] < 0 ? (int) FATES : s->code[i];
-        add_fate(e, s, block * SPOOL_DRAWS + i, fate);
-        p->count[fate]++;
-        p->reason[s->reason[i]]++;
+        add_fate(e, s, block * SPOOL_DRAWS + i, s->goal[i]);
+        p->count[s->goal[i]]++;
+        if (of == NULL || s->goal[i] == GOALS)
+            p->reason[s->code[i]]++;
     }
     return status;
 }
@@ -116,18 +162,37 @@ static void tell_fates(struct ensemble_push *p, const struct sums *s,
 
     p->arrest = tally_share(&s->arrest, d);
     p->arrest.value = 0.0;
-    for (int f = 0; f <= (int) FATES; f++) {
+    for (int f = 0; f <= GOALS; f++) {
         p->fate[f] = tally_share(&s->fate[f], d);
         beyond += fmax(-p->fate[f].value, 0.0);
     }
-    for (int f = 0; f <= (int) FATES; f++) {
+    for (int f = 0; f <= GOALS; f++) {
         p->fate[f].value = fmax(p->fate[f].value, 0.0) / (1.0 + beyond);
         p->arrest.value += fate_stops(f) ? p->fate[f].value : 0.0;
     }
 }
 
-static enum status sum_push(struct ensemble *e, struct sums *s, size_t k,
-                            struct fault *why)
+/* "v = 2500 V_star, psi = 10". */
+static void say(const struct scene *scene, struct ensemble_push *p)
+{
+    const struct system_state *x = scene->system ? scene->system->state : NULL;
+    const char *rate = p->at.is_si ? "m/s" : "V_star";
+
+    if (x && p->at.from[0])
+        snprintf(p->said, sizeof p->said, "%s with %.20s + %.6g, %.20s + %.6g",
+                 p->at.from, x[0].name, p->at.v, x[1].name, p->at.psi);
+    else if (x)
+        snprintf(p->said, sizeof p->said, "%.40s = %.6g, %.40s = %.6g",
+                 x[0].name, p->at.v, x[1].name, p->at.psi);
+    else if (p->at.from_creep)
+        snprintf(p->said, sizeof p->said, "from creep, kick %.6g %s", p->at.v,
+                 rate);
+    else
+        snprintf(p->said, sizeof p->said, "v = %.6g %s, %s = %.6g", p->at.v,
+                 rate, p->state, p->at.psi);
+}
+
+static void begin_push(const struct ensemble *e, size_t k, struct sums *s)
 {
     struct ensemble_push *p = &e->push[k];
 
@@ -137,13 +202,28 @@ static enum status sum_push(struct ensemble *e, struct sums *s, size_t k,
     p->state = p->at.is_phi ? "phi" : "psi";
     if (p->at.from_creep)
         p->at.psi = (double) NAN;
+    say(e->scene, p);
+    for (int f = 0; f < (int) FATES && e->scene->system == NULL; f++)
+        p->word[f] = fate_names[f];
     s->arrest = (struct tally){ 0 };
-    for (int f = 0; f <= (int) FATES; f++)
+    for (int f = 0; f <= GOALS; f++)
         s->fate[f] = (struct tally){ 0 };
-    enum status status = variate_fit(&s->variate, &e->spool, &e->draws, k, why);
+}
+
+static enum status sum_push(struct ensemble *e, struct sums *s, size_t k,
+                            struct fault *why)
+{
+    const int8_t *of = e->scene->system ? s->of : NULL;
+    enum status status = STATUS_OK;
+
+    begin_push(e, k, s);
+    if (of)
+        status = find_goals(e, s, k, why);
+    if (status == STATUS_OK)
+        status = variate_fit(&s->variate, &e->spool, &e->draws, k, of, why);
     for (size_t b = 0; b < spool_blocks(&e->spool) && !status; b++)
-        status = add_fates(e, s, k, b, why);
-    tell_fates(p, s, &e->draws);
+        status = add_fates(e, s, k, of, b, why);
+    tell_fates(&e->push[k], s, &e->draws);
     return status;
 }
 

@@ -6,19 +6,34 @@
 /* What is known of one push in the draws of a half. */
 struct half {
     const struct draws *d;
+    const int8_t *of;
     struct variate_half *out;
     double *row; /* owned; m and scores of draws with a margin */
     size_t rows;
-    double count[2], fate[2][FATES + 1]; /* where z_j >= g, and < */
+    double count[2], fate[2][GOALS + 1]; /* where z_j >= g, and < */
 };
 
-typedef void taker(struct half *h, size_t i, int8_t fate, double margin);
+enum status variate_goals(const struct spool *s, size_t block, size_t k,
+                          const int8_t of[], int8_t goal[SPOOL_DRAWS],
+                          struct fault *why)
+{
+    int8_t code[SPOOL_DRAWS];
+    enum status status = spool_read(s, block, SPOOL_FATE, k, goal, why);
 
-static void take_row(struct half *h, size_t i, int8_t fate, double margin)
+    if (status == STATUS_OK)
+        status = spool_read(s, block, SPOOL_FATE_REASON, k, code, why);
+    for (size_t i = 0; i < spool_count(s, block) && status == STATUS_OK; i++)
+        goal[i] = goal[i] < 0 ? (int8_t) GOALS : of ? of[code[i]] : goal[i];
+    return status;
+}
+
+typedef void taker(struct half *h, size_t i, int8_t goal, double margin);
+
+static void take_row(struct half *h, size_t i, int8_t goal, double margin)
 {
     double *row = h->row + h->rows * (1 + h->d->keys);
 
-    (void) fate;
+    (void) goal;
     if (!isfinite(margin) || h->rows == THRESHOLD_ROOM)
         return;
     row[0] = margin;
@@ -38,14 +53,14 @@ static bool is_below(const struct threshold *g, const struct draws *d, size_t i,
     return z[g->pivot] < at;
 }
 
-static void take_fate(struct half *h, size_t i, int8_t fate, double margin)
+static void take_fate(struct half *h, size_t i, int8_t goal, double margin)
 {
     double chance;
     const bool below = is_below(&h->out->g, h->d, i, &chance);
 
     (void) margin;
     h->count[below] += 1.0;
-    h->fate[below][fate < 0 ? (int) FATES : fate] += 1.0;
+    h->fate[below][goal] += 1.0;
 }
 
 /* The draws of even repeats, or of odd ones. */
@@ -53,16 +68,16 @@ static enum status walk(struct half *h, const struct spool *s, size_t k,
                         size_t odd, taker *take, struct fault *why)
 {
     double margin[SPOOL_DRAWS];
-    int8_t fate[SPOOL_DRAWS];
+    int8_t goal[SPOOL_DRAWS];
     enum status status = STATUS_OK;
 
     for (size_t b = 0; b < spool_blocks(s) && status == STATUS_OK; b++) {
         status = spool_read(s, b, SPOOL_MARGIN, k, margin, why);
         if (status == STATUS_OK)
-            status = spool_read(s, b, SPOOL_FATE, k, fate, why);
+            status = variate_goals(s, b, k, h->of, goal, why);
         for (size_t i = 0; i < spool_count(s, b) && status == STATUS_OK; i++)
             if (draws_repeat(h->d, b * SPOOL_DRAWS + i) % 2 == odd)
-                take(h, b * SPOOL_DRAWS + i, fate[i], margin[i]);
+                take(h, b * SPOOL_DRAWS + i, goal[i], margin[i]);
     }
     return status;
 }
@@ -77,7 +92,7 @@ static enum status fit(struct half *h, const struct spool *s, size_t k,
         status = threshold_fit(&out->g, h->row, h->rows, h->d->keys);
     if (status == STATUS_OK && out->g.there)
         status = walk(h, s, k, odd, take_fate, why);
-    for (int f = 0; f <= (int) FATES; f++)
+    for (int f = 0; f <= (int) GOALS; f++)
         if (h->count[0] > 0.0 && h->count[1] > 0.0)
             out->slope[f] =
                 h->fate[1][f] / h->count[1] - h->fate[0][f] / h->count[0];
@@ -85,14 +100,15 @@ static enum status fit(struct half *h, const struct spool *s, size_t k,
 }
 
 enum status variate_fit(struct variate *c, const struct spool *s,
-                        const struct draws *d, size_t k, struct fault *why)
+                        const struct draws *d, size_t k, const int8_t of[],
+                        struct fault *why)
 {
     const size_t room = THRESHOLD_ROOM * (1 + d->keys);
     enum status status = STATUS_OK;
 
     *c = (struct variate){ .d = d };
     for (size_t i = 0; i < 2 && draws_is_scrambled(d) && !status; i++) {
-        struct half h = { .d = d, .out = &c->half[i] };
+        struct half h = { .d = d, .of = of, .out = &c->half[i] };
         h.row = malloc(room * sizeof *h.row);
         status = h.row ? fit(&h, s, k, 1 - i, why) : STATUS_NO_MEMORY;
         free(h.row);
@@ -100,13 +116,13 @@ enum status variate_fit(struct variate *c, const struct spool *s,
     return status;
 }
 
-void variate_at(const struct variate *c, size_t i, double out[FATES + 1])
+void variate_at(const struct variate *c, size_t i, double out[GOALS + 1])
 {
     const struct variate_half *h = &c->half[draws_repeat(c->d, i) % 2];
     double chance = 0.0, off = 0.0;
 
     if (h->g.there)
         off = is_below(&h->g, c->d, i, &chance) ? 1.0 : 0.0;
-    for (int f = 0; f <= (int) FATES; f++)
+    for (int f = 0; f <= (int) GOALS; f++)
         out[f] = h->slope[f] * (off - chance);
 }

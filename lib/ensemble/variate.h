@@ -29,9 +29,14 @@
 #include "spool.h"
 #include "threshold.h"
 
+/* What pushes may come to: fates, or attractors of a system; and last nothing
+ * that has a name. */
+enum { GOALS = 16 };
+_Static_assert(GOALS >= (int) FATES, "each fate is a goal");
+
 struct variate_half {
     struct threshold g;
-    double slope[FATES + 1]; /* b; the last: no fate */
+    double slope[GOALS + 1]; /* b; the last: none */
 };
 
 struct variate {
@@ -39,10 +44,17 @@ struct variate {
     struct variate_half half[2]; /* for even repeats, for odd ones */
 };
 
+/* The goals of push k in a block, by its fate's code; or of a
+ * system of[code of its reason], of NULL: a law's.  STATUS_IO. */
+MUST_CHECK enum status variate_goals(const struct spool *s, size_t block,
+                                     size_t k, const int8_t of[],
+                                     int8_t goal[SPOOL_DRAWS],
+                                     struct fault *why);
+
 /* Of push k of a whole spool.  STATUS_IO, STATUS_NO_MEMORY. */
 MUST_CHECK enum status variate_fit(struct variate *c, const struct spool *s,
                                    const struct draws *d, size_t k,
-                                   struct fault *why);
+                                   const int8_t of[], struct fault *why);
 
 /* b_f c of draw i, by f. */
-void variate_at(const struct variate *c, size_t i, double out[FATES + 1]);
+void variate_at(const struct variate *c, size_t i, double out[GOALS + 1]);

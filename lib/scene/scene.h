@@ -170,8 +170,10 @@ struct scene_number {
  * the slip rate of the creep state. */
 struct scene_push {
     bool from_creep;
-    double v, psi;      /* as given */
+    double v, psi;      /* as given; of a system its first and second state */
     bool is_si, is_phi; /* v in m/s, not in V_star; psi is phi (physical.h) */
+    char from[32];      /* of a system: they are added to those of the
+                           equilibrium of that name; "": of none */
 };
 
 enum ensemble_method { ENSEMBLE_SOBOL, ENSEMBLE_RANDOM, ENSEMBLE_GRID };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "scene_parameter.h"
+#include "scene_push.h"
 #include "scene_scatter.h"
 #include "schema.h"
 #include "synonym.h"
@@ -142,130 +143,6 @@ VALUE_READER(value_numbers)
     return STATUS_OK;
 }
 
-/* ---- pushes -------------------------------------------------------------- */
-
-static const struct schema_key push_rate = { .path = "ensemble.pushes: v",
-                                             .lo = 0.0,
-                                             .open_lo = true,
-                                             .hi = DBL_MAX,
-                                             .unit = "V_star",
-                                             .expected = "a number > 0" };
-static const struct schema_key push_kick = { .path = "ensemble.pushes: kick",
-                                             .lo = -DBL_MAX,
-                                             .hi = DBL_MAX,
-                                             .unit = "V_star",
-                                             .expected = "a number" };
-static const struct schema_key push_state = { .path = "ensemble.pushes: psi",
-                                              .lo = -DBL_MAX,
-                                              .hi = DBL_MAX,
-                                              .expected = "a number" };
-
-static enum status check_push_keys(const struct node *n, struct fault *why)
-{
-    static const char *const known[] = {
-        "v", "psi", "phi", "from", "kick", NULL
-    };
-
-    for (size_t i = 0; i < n->count; i++) {
-        int word = 0;
-        while (known[word] && strcmp(known[word], n->child[i]->key) != 0)
-            word++;
-        if (known[word] == NULL)
-            return place_blame(n->child[i]->key_at, why,
-                               "ensemble.pushes: unknown key '%s', expected v "
-                               "and psi, or from: creep and kick",
-                               text_shown(n->child[i]->key).text);
-    }
-    return STATUS_OK;
-}
-
-/* {from: creep, kick: DV}. */
-static enum status read_kick(const struct node *n, struct scene_push *p,
-                             struct fault *why)
-{
-    const struct node *from = node_find(n, "from");
-    const struct node *kick = node_find(n, "kick");
-
-    if (n->count != 2 || !from || !kick || from->kind != NODE_SCALAR ||
-        strcmp(from->text, "creep") != 0)
-        return place_blame(from ? from->at : n->at, why,
-                           "ensemble.pushes: expected {from: creep, kick: DV}");
-    *p = (struct scene_push){ .from_creep = true };
-    return value_is_number(&push_kick, kick, &p->v)
-               ? STATUS_OK
-               : value_refuse(&push_kick, kick, why);
-}
-
-static enum status read_push(const struct schema_key *key, const struct node *n,
-                             struct scene_push *p, struct fault *why)
-{
-    if (n->kind != NODE_MAP)
-        return value_refuse(key, n, why);
-    const struct node *v = node_find(n, "v"), *psi = node_find(n, "psi");
-    const struct node *phi = node_find(n, "phi");
-    const enum status status = check_push_keys(n, why);
-
-    if (status != STATUS_OK)
-        return status;
-    if (node_find(n, "from") || node_find(n, "kick"))
-        return read_kick(n, p, why);
-    if (!v || !psi == !phi)
-        return place_blame(n->at, why,
-                           "ensemble.pushes: expected v and psi (or phi), or "
-                           "from: creep and kick");
-    *p = (struct scene_push){ .is_phi = phi != NULL };
-    psi = psi ? psi : phi;
-    if (!value_is_number(&push_rate, v, &p->v))
-        return value_refuse(&push_rate, v, why);
-    if (!value_is_number(&push_state, psi, &p->psi) ||
-        (p->is_phi && !(p->psi > 0.0)))
-        return value_refuse(&push_state, psi, why);
-    return STATUS_OK;
-}
-
-VALUE_READER(value_pushes)
-{
-    struct scene_ensemble *e = &s->ensemble;
-    enum status status = STATUS_OK;
-
-    if (n->kind != NODE_LIST || n->count > SCENE_PUSHES)
-        return value_refuse(key, n, why);
-    free(e->push);
-    e->pushes = 0;
-    e->push = calloc(n->count + 1, sizeof *e->push);
-    if (e->push == NULL)
-        return STATUS_NO_MEMORY;
-    for (size_t i = 0; i < n->count && status == STATUS_OK; i++)
-        status = read_push(key, n->child[i], &e->push[i], why);
-    e->pushes = n->count;
-    return status;
-}
-
-/* Whether its slip rate is in m/s. */
-static bool is_si(const struct scene *s, const struct node *rate)
-{
-    enum unit_text in = UNIT_TEXT_BARE;
-    double x;
-
-    (void) unit_text_read(unit_text_of("V_star"), rate->text, &x, &in);
-    return in == UNIT_TEXT_BARE ? s->units == UNITS_SI : in == UNIT_TEXT_SI;
-}
-
-static enum status settle_pushes(const struct node *list, struct scene *s,
-                                 struct fault *why)
-{
-    for (size_t i = 0; i < s->ensemble.pushes; i++) {
-        const struct node *n = list->child[i], *psi = node_find(n, "psi");
-        struct scene_push *p = &s->ensemble.push[i];
-        p->is_si = is_si(s, node_find(n, p->from_creep ? "kick" : "v"));
-        if (psi && s->units == UNITS_SI)
-            return place_blame(psi->key_at, why,
-                               "ensemble.pushes: psi: it could be psi or phi, "
-                               "expected phi beside units: si");
-    }
-    return STATUS_OK;
-}
-
 /* ---- the whole ----------------------------------------------------------- */
 
 bool scene_ensemble_has(const struct scene *s, const char *key)
@@ -290,10 +167,8 @@ static void begin(const struct node *root, struct scene *s)
 enum status scene_ensemble_settle(const struct node *root, struct scene *s,
                                   struct fault *why)
 {
-    const struct node *pushes = node_at(root, "ensemble.pushes");
-
     begin(root, s);
-    return pushes ? settle_pushes(pushes, s, why) : STATUS_OK;
+    return scene_push_settle(root, s, why);
 }
 
 enum status scene_ensemble_check_key(const struct scene *s, const char *path,
@@ -371,13 +246,8 @@ static enum status check_parameter(const struct node *root,
 enum status scene_ensemble_check(const struct node *root, const struct scene *s,
                                  struct fault *why)
 {
-    const struct node *pushes = node_at(root, "ensemble.pushes");
     enum status status = scene_scatter_check(s, why);
 
-    if (status == STATUS_OK && s->system && pushes)
-        return place_blame(pushes->key_at, why,
-                           "ensemble.pushes: for a law on a slope, not for a "
-                           "system");
     for (size_t i = 0; i < s->ensemble.parameters && status == STATUS_OK; i++)
         status = check_parameter(root, s, i, why);
     return status;

@@ -7,7 +7,6 @@
 /* Readers of schema.h. */
 VALUE_READER(value_spreads);
 VALUE_READER(value_numbers);
-VALUE_READER(value_pushes);
 
 /* One more parameter of that key, which is copied; NULL without memory. */
 struct scene_spread *scene_ensemble_add(struct scene_ensemble *e,

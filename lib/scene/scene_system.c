@@ -293,8 +293,8 @@ static enum status read_system(struct reading *r)
 
 /* ---- window and starts --------------------------------------------------- */
 
-/* A number that the state may have. */
-static bool is_state(const struct node *n, enum formula_chart chart, double *x)
+bool scene_system_is_state(const struct node *n, enum formula_chart chart,
+                           double *x)
 {
     double read;
 
@@ -306,7 +306,7 @@ static bool is_state(const struct node *n, enum formula_chart chart, double *x)
     return true;
 }
 
-static const char *expected_of(enum formula_chart chart)
+const char *scene_system_expected(enum formula_chart chart)
 {
     return chart == CHART_POSITIVE ? "a number from 1e-300 to 1e300"
                                    : "a number from -1e300 to 1e300";
@@ -326,11 +326,11 @@ static enum status read_range(const struct node *n,
                            "window.%s: this is no pair, expected [lo, hi]",
                            x->name);
     for (int k = 0; k < 2; k++)
-        if (!is_state(n->child[k], x->chart, &range[k]))
+        if (!scene_system_is_state(n->child[k], x->chart, &range[k]))
             return place_blame(n->child[k]->at, why,
                                "window.%s: %s is not allowed, expected %s",
                                x->name, node_shown(n->child[k]).text,
-                               expected_of(x->chart));
+                               scene_system_expected(x->chart));
     return range[0] < range[1]
                ? STATUS_OK
                : place_blame(n->at, why,
@@ -385,12 +385,12 @@ static enum status read_start(const struct node *n, const struct scene *s,
     }
     for (int i = 0; i < 2; i++) {
         const struct node *value = node_find(n, x[i].name);
-        if (!is_state(value, x[i].chart, at[i]))
+        if (!scene_system_is_state(value, x[i].chart, at[i]))
             return place_blame(value ? value->at : n->at, why,
                                "trajectories.starts: %s: %s, expected %s",
                                x[i].name,
                                value ? node_shown(value).text : "missing",
-                               expected_of(x[i].chart));
+                               scene_system_expected(x[i].chart));
     }
     return STATUS_OK;
 }

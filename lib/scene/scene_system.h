@@ -4,6 +4,7 @@
 
 #include "node.h"
 #include "scene.h"
+#include "system.h"
 
 /* Products (bits) that every planar system has. */
 extern const unsigned scene_system_products;
@@ -18,3 +19,9 @@ MUST_CHECK enum status scene_system_take(struct node *root, struct scene *s,
 MUST_CHECK enum status scene_system_check(const struct node *root,
                                           const struct scene *s,
                                           struct fault *why);
+
+/* Whether the node is a number, *x, that a state of this chart may have; and
+ * what is expected of one. */
+bool scene_system_is_state(const struct node *n, enum formula_chart chart,
+                           double *x);
+const char *scene_system_expected(enum formula_chart chart);

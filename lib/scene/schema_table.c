@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "scene_ensemble.h"
+#include "scene_push.h"
 #include "tolerance.h"
 #include "value.h"
 
@@ -286,7 +287,9 @@ const struct schema_key schema_table[] = {
       .expected = "a list [{v: V, psi: P}, {from: creep, kick: DV}, ...]",
       IS("[]"),
       TEXT("states whose fates are asked for: {v: V, psi: P}, or phi, or "
-           "{from: creep, kick: DV}, the creep state with DV added to v") },
+           "{from: creep, kick: DV}, the creep state with DV added to v; of a "
+           "system {x: A, y: B}, or {from: stable_node_1, x: DX, y: DY}, what "
+           "is added to an equilibrium") },
 
     { "spring_block.sigma", AT(spring_block.sigma), POSITIVE, UNIT("Pa"),
       IS("1000"), TEXT("normal stress") },

@@ -16,11 +16,10 @@ static const char *const keys[KEYS] = { "material.a", "material.b",
                                         "slope.alpha", "material.L" };
 static const char *const names[NUMBERS] = { "v_plus", "v_minus", "x_excess",
                                             "saddle_v", "folds_alpha_cM" };
-static const struct scene_push pushes[PUSHES] = {
-    { false, 2500.0, 10.0, false, false },
-    { false, 1e-3, 1.0, false, false },
-    { true, 3000.0, 0.0, false, false }
-};
+static const struct scene_push pushes[PUSHES] = { { .v = 2500.0, .psi = 10.0 },
+                                                  { .v = 1e-3, .psi = 1.0 },
+                                                  { .from_creep = true,
+                                                    .v = 3000.0 } };
 
 /* Values of the keys and what comes of them. */
 struct draws {
@@ -157,7 +156,7 @@ static void test_fates_are_those_of_push(void **state)
     (void) state;
     draw(d, &rng);
     open_batch(&b, &scene, "spinodal_gen");
-    batch_push(&b, pushes, PUSHES);
+    assert_int_equal(batch_push(&b, pushes, PUSHES), STATUS_OK);
     run(&b, d, 0);
     for (int i = 0; i < DRAWS; i += 8) {
         struct push p;
@@ -202,13 +201,13 @@ static void test_fates_are_the_same_without_numbers(void **state)
     rng = check_seed();
     draw(by, &rng);
     open_batch(&b, &scene, "dieterich_gen");
-    batch_push(&b, pushes, PUSHES);
+    assert_int_equal(batch_push(&b, pushes, PUSHES), STATUS_OK);
     run(&b, d, 2);
     scene_set(&same, (const char *const[]){ "law.preset=dieterich_gen",
                                             "slope.alpha=0.34", NULL });
     assert_int_equal(batch_init(&c, &same, keys, KEYS, without, 1, &why),
                      STATUS_OK);
-    batch_push(&c, pushes, PUSHES);
+    assert_int_equal(batch_push(&c, pushes, PUSHES), STATUS_OK);
     run(&c, by, 2);
     assert_memory_equal(d->fate, by->fate, sizeof d->fate);
     batch_free(&b);
@@ -349,7 +348,7 @@ static void test_every_allocation_may_fail(void **state)
         fault_alloc_at(k);
         s = batch_init(&b, &scene, keys, KEYS, names, NUMBERS, &why);
         if (s == STATUS_OK) {
-            batch_push(&b, pushes, PUSHES);
+            assert_int_equal(batch_push(&b, pushes, PUSHES), STATUS_OK);
             s = batch_run(&b, 1, d->column, 1, NULL, d->out, d->fates);
         }
         fault_alloc_at(FAULT_ALLOC_NEVER);

@@ -85,7 +85,7 @@ static void draw(struct drawn *x, const char *parameters, const char *method,
     scene_set(&x->scene, sets);
     *e = ENSEMBLE_EMPTY;
     e->scene = &x->scene;
-    batch_push(&e->batch, &push, 1);
+    assert_int_equal(batch_push(&e->batch, &push, 1), STATUS_OK);
     assert_int_equal(draws_init(&e->draws, e->scene, &why), STATUS_OK);
     const struct spool_shape shape = { e->draws.count, KEYS, 0, 1 };
     assert_int_equal(sweep_reasons_init(&e->reasons), STATUS_OK);
