@@ -360,6 +360,8 @@ def what_is_wrong_is_one_line_and_nothing_is_written(room):
     refused(room.run('ensemble', 'name.yaml', '-o', 'a.h5'), 2,
             'name.yaml:4:22: ensemble.numbers: v_plsu: no number')
     refused(room.run('ensemble', *LAW), 2, 'the scene has none')
+    refused(room.run(*call('--set', 'ensemble.numbers=[v_plus, v_plus]')), 2,
+            'v_plus: named twice')
     refused(room.run(*call('--set', 'ensemble.method=grd')), 2, 'grid')
     expect(room.names() == before, room.names())
 

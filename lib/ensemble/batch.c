@@ -62,6 +62,9 @@ static enum status take_named(struct batch *b, const struct result_numbers *all,
                               struct fault *why)
 {
     for (size_t i = 0; i < names; i++) {
+        for (size_t k = 0; k < i; k++)
+            if (strcmp(name[k], name[i]) == 0)
+                return batch_keys_blame(why, name[i], "named twice");
         const struct result_number *n =
             b->scene->system ? NULL : find(all, name[i]);
         if (n) {
