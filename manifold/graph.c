@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "graph_lanes.h"
+#include "graph_step.h"
 #include "tolerance.h"
 
 size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
@@ -24,35 +25,43 @@ size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
     return n;
 }
 
-double graph_reach(const double u[], size_t order, double scale, double tol)
+/* By registers that suit n, *some at a time. */
+static const struct graph_step *step_of(size_t n, size_t *some)
 {
-    const double goal = log(tol * scale);
-    double least = HUGE_VAL;
+#ifdef HAVE_WIDE_LANES
+    const int width = jet_width();
 
-    for (size_t k = order - 1; k <= order; k++)
-        if (u[k] != 0.0)
-            least = fmin(least, (goal - log(fabs(u[k]))) / (double) k);
-    return exp(least);
+    if (n > 2 && width > 2) {
+        *some = n < JET_MANY ? n : JET_MANY;
+        return width == 8 ? &graph_step_8 : &graph_step_4;
+    }
+#endif
+    *some = n < 2 ? n : 2;
+    return &graph_step_2;
 }
 
-/* |u[order - 1]| h^(order - 1) + |u[order]| h^order. */
-static double two_terms(const double u[], size_t order, double h)
+void graph_reach(size_t order, size_t n, const double *const u[],
+                 const double to[], double s[])
 {
-    double top = 1.0, square = h;
+    for (size_t i = 0, some; i < n; i += some)
+        step_of(n - i, &some)->reach(order, some, u + i, to + i, s + i);
+}
 
-    for (size_t k = order - 1; k > 0; k >>= 1, square *= square)
-        top *= k & 1 ? square : 1.0;
-    return top * (fabs(u[order - 1]) + h * fabs(u[order]));
+void graph_ends(size_t order, size_t n, const double *const u[],
+                const double s[], struct graph_end out[])
+{
+    for (size_t i = 0, some; i < n; i += some)
+        step_of(n - i, &some)->ends(order, some, u + i, s + i, out + i);
 }
 
 /* The ratio in which terms beyond the last ones fall, of a size `last`: as
  * these and the next do in pairs, over two orders and, where that is less than
  * smooth, over one. */
-static double fall_of(const double u[], size_t order, double h, double last,
-                      double next)
+static double fall_of(const double u[], size_t order, double h,
+                      const struct graph_end *at, double next)
 {
     const double before = fabs(u[order - 1]) / h, end = fabs(u[order]);
-    const double pairs = sqrt(last / two_terms(u, order - 2, h));
+    const double last = at->last, pairs = sqrt(last / at->before);
     const double single = h * sqrt(fabs(u[order] / u[order - 2]));
     const double step = end / (before + end) + next / last;
     const double ratio = TOL_AS_BEFORE * fmax(pairs, next / last);
@@ -66,19 +75,20 @@ static double fall_of(const double u[], size_t order, double h, double last,
 /* Where terms fall, by `ratio`, from `last` on: what the slope and its change
  * make of the next two terms.  Where it is no series', past a kink, that is off
  * from what the slope alone makes of one, which then counts. */
-static struct graph_miss smooth_missing(const double u[], size_t order,
-                                        double s, const struct graph_rate *rate,
-                                        double ratio, double last)
+static struct graph_miss smooth_missing(size_t order, double s,
+                                        const struct graph_end *end,
+                                        const struct graph_rate *rate,
+                                        double ratio)
 {
-    const double off = rate->value - rate->found, h = fabs(s);
-    const double turn = rate->change - jet_bend_at(order, u, s);
+    const double off = rate->value - end->slope, h = fabs(s);
+    const double turn = rate->change - end->bend;
     const double part = (double) (order + 1) - rate->growth;
     const double both = part + (double) (order + 1), square = part * (part + 1);
     const double value = (both * off * s - turn * s * s) / square;
     const double noise = both * fmin(fabs(off), rate->noise) * h +
                          fmin(fabs(turn), rate->change_noise) * h * h;
     const double fall = ratio / (1.0 - ratio);
-    const double rest = 2.0 * fall * fall * fall * last;
+    const double rest = 2.0 * fall * fall * fall * end->last;
     const double last_off = (2.0 + rate->bend) * fabs(value);
     const double one = fabs(value - off * s / part);
 
@@ -87,19 +97,20 @@ static struct graph_miss smooth_missing(const double u[], size_t order,
 }
 
 struct graph_miss graph_missing(const double u[], size_t order, double s,
+                                const struct graph_end *end,
                                 const struct graph_rate *rate, bool smooth)
 {
-    const double off = rate->value - rate->found, h = fabs(s);
+    const double off = rate->value - end->slope, h = fabs(s);
     const double rounding = TOL_ROUNDED * (fabs(u[1]) + fabs(rate->value));
     const double terms = (double) (order + 1), part = terms - rate->growth;
-    const double last = two_terms(u, order, h), next = fabs(off) * h / terms;
+    const double last = end->last, next = fabs(off) * h / terms;
     const double most = TOL_STEP_BAR_NEXT * last;
     const double ratio = fabs(off) <= rounding && last == 0.0
                              ? 0.0
-                             : fall_of(u, order, h, last, next);
+                             : fall_of(u, order, h, end, next);
 
     if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms)
-        return smooth_missing(u, order, s, rate, ratio, last);
+        return smooth_missing(order, s, end, rate, ratio);
     /* no series' rest: as far as the slope is off at the end, all the way */
     if ((next > most || ratio >= 1.0) && fabs(off) > rounding)
         return (struct graph_miss){ 0.0, fabs(off) * h };

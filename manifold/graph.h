@@ -27,16 +27,27 @@ size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
                     size_t order, size_t most, const struct graph_start start[],
                     struct graph_series *const out[]);
 
-/* The s at which the last two terms of u fall to tol * scale; infinite where
- * they are zero. */
-double graph_reach(const double u[], size_t order, double scale, double tol);
+/* The s[i] at which the last two terms of u[i] fall to to[i]; infinite where
+ * they are zero.  All side by side. */
+void graph_reach(size_t order, size_t n, const double *const u[],
+                 const double to[], double s[]);
+
+/* A series at s, its derivatives there; the sizes of its last two terms,
+ * together, and of those two orders before. */
+struct graph_end {
+    double value, slope, bend;
+    double last, before;
+};
+
+/* Of u[i] at s[i], i < n, order > 3, side by side. */
+void graph_ends(size_t order, size_t n, const double *const u[],
+                const double s[], struct graph_end out[]);
 
 /* What the first and second derivatives by s should be at the end of a step
- * along u, what these are off by, the first as it is found there, how the rate
- * grows with the unknown itself, times s, and by how much that changes over the
- * step. */
+ * along u, what these are off by, how the rate grows with the unknown itself,
+ * times s, and by how much that changes over the step. */
 struct graph_rate {
-    double value, noise, found;
+    double value, noise;
     double change, change_noise;
     double growth, bend;
 };
@@ -62,4 +73,5 @@ struct graph_miss {
  * chance; where it is far more than P, and no rounding, the series knows
  * nothing of a kink: all. */
 struct graph_miss graph_missing(const double u[], size_t order, double s,
+                                const struct graph_end *end,
                                 const struct graph_rate *rate, bool smooth);

@@ -19,6 +19,7 @@
 
 #include "grow_end.h"
 #include "grow_error.h"
+#include "grow_step.h"
 #include "many.h"
 #include "tolerance.h"
 
@@ -34,8 +35,6 @@ struct grow_options grow_defaults(double rtol)
                                   .order = grow_order(rtol),
                                   .max_steps = TOL_BRANCH_STEPS };
 }
-
-enum { GROWERS = 2 * GROW_JOBS };
 
 /* As long as a long step, which powers of 2 keep. */
 static double unit_of(double step)
@@ -77,191 +76,62 @@ static bool is_alike(const struct grower *g, const struct grower *other)
     return alike;
 }
 
-/* The next step's series of the first of n; of how many. */
-static size_t expand_some(struct grower *const g[], size_t n)
+/* How many of the first of n are. */
+static size_t count_alike(struct grower *const g[], size_t n)
+{
+    size_t count = 1;
+
+    while (count < n && is_alike(g[0], g[count]))
+        count++;
+    return count;
+}
+
+/* The next steps' series, of planes that are alike. */
+static void expand(struct grower *const g[], size_t n)
 {
     const struct grow_options *o = g[0]->o;
     const struct planar *sys[GROWERS];
     struct graph_start start[GROWERS];
     struct graph_series *u[GROWERS];
-    size_t most = 0;
 
-    for (; most < n && is_alike(g[0], g[most]); most++) {
-        sys[most] = g[most]->sys;
-        start[most] =
-            (struct graph_start){ g[most]->z, g[most]->ind, g[most]->unit };
-        u[most] = &g[most]->u;
-    }
-    most = graph_expand(sys, &o->carry, o->order, most, start, u);
-    for (size_t i = 0; i < most; i++) {
+    for (size_t i = 0; i < n; i++) {
+        sys[i] = g[i]->sys;
+        start[i] = (struct graph_start){ g[i]->z, g[i]->ind, g[i]->unit };
+        u[i] = &g[i]->u;
         g[i]->order = o->order;
         g[i]->b->evaluations++;
     }
-    return most;
+    for (size_t i = 0; i < n;)
+        i +=
+            graph_expand(sys + i, &o->carry, o->order, n - i, start + i, u + i);
 }
 
-/* What an error of the unknown is measured against: y against the distance
- * from the saddle, x - which has the limit we are after - against itself, or
- * where it passes through zero against the curve's rise. */
-static double scale_of_unknown(const struct grower *g)
+/* Writes u(s theta), with `start` for its constant, as polynomial in theta;
+ * power[k] = s^k. */
+static void store_series(const double u[], size_t order, double start,
+                         const double power[], double coef[])
 {
-    const double x = fabs(g->u.at[0][0]), y = fabs(g->u.at[1][0]);
-    const double rise = fabs(g->u.slope) * y;
-
-    return g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0));
-}
-
-static void choose_step(struct grower *g)
-{
-    const size_t order = g->o->order;
-    const double free =
-        graph_reach(g->u.at[1 - g->ind], order, scale_of_unknown(g), g->tol);
-    const double far = fabs(g->u.at[g->ind][0]) / g->unit;
-    double h = fmin(free, fmax(TOL_STEP_MOST, far)); /* where it is flat */
-
-    for (size_t i = 0; i < g->o->carry.count; i++) {
-        const double scale = fabs(g->total[i]) + fabs(g->u.integral[i][1]) * h;
-        if (scale > INTEGRAL_NIL)
-            h = fmin(h, graph_reach(g->u.integral[i], order, scale, g->tol));
-    }
-    g->h = h;
-}
-
-static struct vec2 step_end(const struct grower *g, double s)
-{
-    const double dep = jet_at(g->order, g->u.at[1 - g->ind], s);
-    return local_point(g->ind, g->u.at[g->ind][0] + s * g->unit, dep);
-}
-
-/* How far the series' slope may be from the field's. */
-static double slope_allowed(const struct grower *g)
-{
-    return TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
-}
-
-/* The series' slope by s at a point against the field's there; *off: their
- * difference. */
-static bool slope_holds(const struct grower *g, double by_s, double field,
-                        double *off)
-{
-    const double slope = by_s / g->unit;
-    const double rounding = TOL_ROUNDED * (fabs(slope) + fabs(g->u.slope));
-
-    *off = fabs(slope - field);
-    return *off <= slope_allowed(g) + rounding;
-}
-
-/* Whether the step's end alone says little: the slope has faded to nothing
- * there, past a kink or not, or is little anyway, or the step leaps. */
-static bool is_doubtful(const struct grower *g, double field)
-{
-    const double slope = fabs(g->u.slope);
-
-    return fabs(field) < TOL_FAR_BELOW * slope ||
-           slope < TOL_SLOPE_LITTLE * slope_allowed(g) ||
-           g->unit * g->h > TOL_STEP_LEAP * g->last;
-}
-
-/* The series' slope by s. */
-static double slope_by_s(const struct grower *g, double s)
-{
-    return jet_slope_at(g->order, g->u.at[1 - g->ind], s);
-}
-
-/* Where the step ends. */
-static void go_to_end(struct grower *g)
-{
-    const double s = g->toward * g->h;
-
-    g->at_end = step_end(g, s);
-    g->slope = slope_by_s(g, s);
-}
-
-/* The ends of the first steps of n; of how many. */
-static size_t look_at_ends(struct grower *const g[], size_t n)
-{
-    const int which = many_carried(&g[0]->o->carry);
-    const struct planar *sys[GROWERS];
-    struct planar_look end[GROWERS];
-    struct vec2 z[GROWERS];
-    size_t count = 0;
-
-    for (; count < n && is_alike(g[0], g[count]); count++) {
-        go_to_end(g[count]);
-        sys[count] = g[count]->sys;
-        z[count] = g[count]->at_end;
-    }
-    many_at(sys, count, z, which, true, end);
-    for (size_t i = 0; i < count; i++)
-        g[i]->end = end[i];
-    return count;
-}
-
-/* At the end of the step; where that says little on the way as well, and what
- * is off there counts. */
-static bool step_holds(struct grower *g)
-{
-    static const double part[] = { 0.5, 0.75, 0.9 };
-    const double s = g->toward * g->h;
-    const struct vec2 d = g->end.J.field.direction;
-    const double field = g->ind == 0 ? d.y / d.x : d.x / d.y;
-    double off;
-
-    bool holds = slope_holds(g, g->slope, field, &off);
-    const double at_end = off;
-    g->kink = 0.0;
-    for (int i = 0; i < 3 && holds && is_doubtful(g, field); i++) {
-        const struct vec2 z = step_end(g, part[i] * s);
-        holds = slope_holds(g, slope_by_s(g, part[i] * s),
-                            local_slope(g->sys, g->ind, z), &off);
-        if (off > TOL_CLEARLY * at_end)
-            g->kink = fmax(g->kink, off);
-    }
-    return holds;
-}
-
-/* Shortens the step so that the independent coordinate stays in the domain;
- * true when the step now ends on the edge. */
-static bool clip_to_domain(struct grower *g)
-{
-    const struct planar *sys = g->sys;
-    const double here =
-        g->u.at[g->ind][0] + grower_coordinate(sys->origin, g->ind);
-    const double edge = grower_coordinate(
-        g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
-    const double room = (edge - here) * g->toward / g->unit;
-
-    if (room > g->h)
-        return false;
-    g->h = fmax(room, 0.0);
-    return true;
-}
-
-/* Writes u(s theta), with `start` for its constant, as polynomial in theta. */
-static void store_series(const double u[], size_t order, double start, double s,
-                         double coef[])
-{
-    double power = s;
-
     coef[0] = start;
-    for (size_t k = 1; k <= order; k++, power *= s)
-        coef[k] = u[k] * power;
+    for (size_t k = 1; k <= order; k++)
+        coef[k] = u[k] * power[k];
 }
 
 static enum status store_step(struct grower *g)
 {
-    const size_t n = g->order;
+    const size_t n = g->o->bare ? 0 : g->order;
     const double s = g->toward * g->h;
-    double *coef;
+    double power[JET_SIZE] = { 1.0 }, *coef;
     const enum status status = branch_push(g->b, n, &g->piece, &coef);
 
     if (status != STATUS_OK)
         return status;
+    for (size_t k = 1; k <= n; k++)
+        power[k] = power[k - 1] * s;
     g->b->curve.piece[g->b->curve.count - 1].error = g->worst;
-    store_series(g->u.at[0], n, g->u.at[0][0], s, coef);
-    store_series(g->u.at[1], n, g->u.at[1][0], s, coef + (n + 1));
+    store_series(g->u.at[0], n, g->u.at[0][0], power, coef);
+    store_series(g->u.at[1], n, g->u.at[1][0], power, coef + (n + 1));
     for (size_t i = 0; i < g->o->carry.count; i++)
-        store_series(g->u.integral[i], n, g->total[i], s,
+        store_series(g->u.integral[i], n, g->total[i], power,
                      coef + (i + 2) * (n + 1));
     g->piece = (struct branch_miss){ .grown = 1.0 };
     return STATUS_OK;
@@ -270,11 +140,9 @@ static enum status store_step(struct grower *g)
 /* To the end of the step. */
 static void move(struct grower *g)
 {
-    const double s = g->toward * g->h;
-
     g->z = g->at_end;
     for (size_t i = 0; i < g->o->carry.count; i++)
-        g->total[i] += jet_at(g->order, g->u.integral[i], s);
+        g->total[i] += g->integral_end[i].value;
 }
 
 static void advance(struct grower *g)
@@ -309,7 +177,7 @@ static void look_for_end(struct grower *g, bool edge)
  * ended. */
 static enum status step(struct grower *g)
 {
-    while (!step_holds(g)) {
+    while (!g->holds) {
         g->h *= 0.5;
         g->edge = false;
         g->b->rejected++;
@@ -318,7 +186,7 @@ static enum status step(struct grower *g)
             g->done = g->o->follower != NULL;
             return g->done ? STATUS_OK : STATUS_NO_CONVERGENCE;
         }
-        (void) look_at_ends(&g, 1);
+        grow_step_try(&g, 1);
     }
     grow_error_step(g);
     const enum status s = store_step(g);
@@ -353,7 +221,7 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
     g->unit = u->unit;
     g->h = u->radius;
     g->order = u->order;
-    (void) look_at_ends(&g, 1);
+    grow_step_look(&g, 1);
     g->out = (struct outward){ 0 };
     grow_error_step(g);
     const enum status status = store_step(g);
@@ -393,14 +261,12 @@ static size_t step_all(struct grower g[], size_t n)
             choose_graph(&g[i]);
             busy[count++] = &g[i];
         }
-    for (size_t i = 0; i < count;)
-        i += expand_some(&busy[i], count - i);
-    for (size_t i = 0; i < count; i++) {
-        choose_step(busy[i]);
-        busy[i]->edge = clip_to_domain(busy[i]);
+    for (size_t i = 0, some; i < count; i += some) {
+        some = count_alike(&busy[i], count - i);
+        expand(&busy[i], some);
+        grow_step_choose(&busy[i], some);
+        grow_step_try(&busy[i], some);
     }
-    for (size_t i = 0; i < count;)
-        i += look_at_ends(&busy[i], count - i);
     for (size_t i = 0; i < count; i++)
         busy[i]->failed = step(busy[i]);
     return count;

@@ -22,6 +22,8 @@ struct grow_options {
     size_t order; /* of the Taylor series */
     size_t max_steps;
     struct carry carry;
+    bool bare; /* pieces are constants: where the branch was, for who wants its
+                  limits and what they are off by */
     const struct box *reach; /* absolute, borrowed; the branch is not closed
                                 inside it; NULL: close as soon as possible */
     const struct grow_follower *follower; /* borrowed.  With one a branch has no

@@ -225,14 +225,13 @@ static struct graph_miss own_dep(struct grower *g, const struct noise *noise,
     const double *dep = g->u.at[1 - g->ind];
     struct graph_rate rate =
         rate_of(g, g->out.slope, g->out.slope_i, g->out.slope_d,
-                g->slope / g->unit, noise->rate);
+                g->dep_end.slope / g->unit, noise->rate);
 
-    rate.found = g->slope;
     rate.noise = g->unit * noise->slope;
     rate.growth = per_s * g->out.slope_d;
     rate.bend = fabs(per_s * before->slope_d - rate.growth) + fabs(rate.growth);
     struct graph_miss own =
-        graph_missing(dep, g->order, s, &rate, g->kink == 0.0);
+        graph_missing(dep, g->order, s, &g->dep_end, &rate, g->kink == 0.0);
     own.bar += g->h * g->unit * g->kink;
     return own;
 }
@@ -279,14 +278,14 @@ static void add_integral(struct grower *g, size_t i, const struct noise *noise,
     struct graph_rate rate =
         rate_of(g, g->out.swift[i] + by_dep * dep_off, g->out.swift_i[i],
                 by_dep, g->out.slope + g->out.slope_d * dep_off, noise->rate);
-    const double rounded = noise->rate * fabs(jet_at(g->order, u, s)) +
-                           0.5 * DBL_EPSILON * fabs(g->total[i]);
+    const struct graph_end *end = &g->integral_end[i];
+    const double rounded =
+        noise->rate * fabs(end->value) + 0.5 * DBL_EPSILON * fabs(g->total[i]);
 
-    rate.found = jet_slope_at(g->order, u, s);
     rate.change_noise +=
         fabs(g->unit / s * (by_dep - before->swift_d[i]) * dep_off);
     struct graph_miss own =
-        graph_missing(u, g->order, s, &rate, g->kink == 0.0);
+        graph_missing(u, g->order, s, end, &rate, g->kink == 0.0);
     if (own.value == 0.0 && g->kink == 0.0 && g->b->from_saddle[i])
         own.bar = fmin(own.bar, integral_bar(g, i));
 

@@ -4,6 +4,9 @@
 #include "graph.h"
 #include "grow.h"
 
+/* Branches that step together. */
+enum { GROWERS = 2 * GROW_JOBS };
+
 /* At a point of the curve: slope of dep and of the carried integrals by ind,
  * and how both change with ind at one dep, and with dep, which is how errors of
  * dep travel. */
@@ -43,11 +46,13 @@ struct grower {
     double kink; /* slope that its series misses on the way */
     struct planar_look end; /* at the end of the last step, with the rate of
                                many_carried */
-    struct vec2 at_end;     /* where that is, and what slope its series has */
-    double slope;           /* there, per s */
-    bool edge;              /* the step ends on that of the domain */
-    int kin;                /* the first of all whose plane is alike */
-    struct outward out;     /* and what travels there */
+    struct vec2 at_end;     /* where that is, and what its series are there */
+    struct graph_end dep_end, integral_end[LOCAL_CARRY_MAX];
+    bool holds;         /* the field at its end, and on the way where that
+                           says little, is that of its series */
+    bool edge;          /* the step ends on that of the domain */
+    int kin;            /* the first of all whose plane is alike */
+    struct outward out; /* and what travels there */
     struct graph_series u;
     size_t order; /* of u */
 };

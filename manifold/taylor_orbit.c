@@ -101,12 +101,12 @@ enum status taylor_orbit_step(struct taylor_orbit *o)
 {
     struct series u;
     struct vec2 end;
-    double s = HUGE_VAL;
+    double reach[2], s;
 
     expand(o, &u);
-    for (int i = 0; i < 2; i++)
-        s = fmin(s, graph_reach(u.at[i], o->order, allowed(o, i) / o->rtol,
-                                o->rtol));
+    graph_reach(o->order, 2, (const double *const[]){ u.at[0], u.at[1] },
+                (const double[]){ allowed(o, 0), allowed(o, 1) }, reach);
+    s = fmin(reach[0], reach[1]);
     if (!(s < HUGE_VAL)) /* a polynomial: it is followed as far as a window */
         s = 1.0 / size_of(o, &u, 1);
     while (!holds(o, &u, s, &end)) {

@@ -48,15 +48,6 @@ double jet_slope_at(size_t order, const double u[], double s)
     return sum;
 }
 
-double jet_bend_at(size_t order, const double u[], double s)
-{
-    double sum = 0.0;
-
-    for (size_t j = order; j >= 2; j--)
-        sum = sum * s + (double) (j * (j - 1)) * u[j];
-    return sum;
-}
-
 /* Each term |u[k]| C(k, j) |s|^(k - j) h^j is rounded no more than 4 (order +
  * 1) times, by half a DBL_EPSILON of itself. */
 double jet_spread_at(size_t order, const double u[], double s, double h)

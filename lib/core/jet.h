@@ -120,11 +120,9 @@ static inline void jet_take(size_t order, const jet_pair u[], size_t lane,
         out[k] = u[k][lane];
 }
 
-/* Of one curve: sum_{k=0}^{order} u[k] s^k, and its derivatives, the first and
- * the second. */
+/* Of one curve: sum_{k=0}^{order} u[k] s^k, and its derivative. */
 double jet_at(size_t order, const double u[], double s);
 double jet_slope_at(size_t order, const double u[], double s);
-double jet_bend_at(size_t order, const double u[], double s);
 
 /* sum |c_k| h^k over k > 0, h >= 0, c_k the coefficients about s: for |t| <= h
  * the series at s + t is no further from that at s, but for rounding, less than

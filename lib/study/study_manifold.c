@@ -48,6 +48,7 @@ static enum status begin_stable(struct study *s, const struct monitor *monitor,
     *o = grow_defaults(s->scene->rtol);
     t->window = scene_box(s->scene);
     o->carry = carry_for(s->stages);
+    o->bare = s->saddle_alone && !plan_has(s->stages, STAGE_KNEES);
     o->monitor = monitor;
     o->reach =
         plan_has(s->stages, STAGE_UNSTABLE) || plan_has(s->stages, STAGE_BASINS)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "block.h"
-#include "graph.h"
+#include "graph_step.h"
 #include "laws.h"
 #include "tape_plane.h"
 
@@ -151,11 +151,101 @@ static void series_are_those_of_each_alone(void **state)
     }
 }
 
+/* A number of either sign, from 1e-200 to 1e20; 0. */
+static double any_number(uint64_t *rng)
+{
+    const double size = exp(check_uniform(rng, -460.0, 46.0));
+    const double kind = check_uniform(rng, -1.0, 1.0);
+
+    return fabs(kind) < 0.05 ? 0.0 : copysign(size, kind);
+}
+
+static double two_terms(const double u[], size_t order, double h)
+{
+    double power = 1.0, square = h;
+
+    for (size_t k = order - 1; k > 0; k /= 2, square *= square)
+        power *= k % 2 ? square : 1.0;
+    return power * (fabs(u[order - 1]) + h * fabs(u[order]));
+}
+
+static struct graph_end plain_end(size_t order, const double u[], double s)
+{
+    struct graph_end end = { .value = u[order] };
+
+    for (size_t k = order; k > 0; k--)
+        end.value = end.value * s + u[k - 1];
+    for (size_t k = order; k > 0; k--)
+        end.slope = end.slope * s + (double) k * u[k];
+    for (size_t k = order; k > 1; k--)
+        end.bend = end.bend * s + (double) (k * (k - 1)) * u[k];
+    end.last = two_terms(u, order, fabs(s));
+    end.before = two_terms(u, order - 2, fabs(s));
+    return end;
+}
+
+static double plain_reach(size_t order, const double u[], double to)
+{
+    double least = HUGE_VAL;
+
+    for (size_t k = order - 1; k <= order; k++)
+        if (u[k] != 0.0)
+            least = fmin(least, (log(to) - log(fabs(u[k]))) / (double) k);
+    return exp(least);
+}
+
+/* n series by `step`. */
+static void check_steps(const struct graph_step *step, size_t n, uint64_t *rng)
+{
+    const size_t order = 4 + (size_t) check_uniform(rng, 0.0, JET_SIZE - 4);
+    double series[JET_MANY][JET_SIZE], s[JET_MANY], to[JET_MANY],
+        reach[JET_MANY];
+    const double *u[JET_MANY];
+    struct graph_end end[JET_MANY];
+
+    for (size_t l = 0; l < JET_MANY; l++) {
+        u[l] = series[l];
+        s[l] = check_uniform(rng, -3.0, 3.0);
+        to[l] = l == 3 ? HUGE_VAL : fabs(any_number(rng));
+        for (size_t k = 0; k <= order; k++)
+            series[l][k] = any_number(rng);
+    }
+    step->ends(order, n, u, s, end);
+    step->reach(order, n, u, to, reach);
+    for (size_t l = 0; l < n; l++) {
+        const struct graph_end own = plain_end(order, u[l], s[l]);
+        const double far = plain_reach(order, u[l], to[l]);
+        CHECK(same(&own, &end[l], sizeof own),
+              "order %zu, lane %zu of %zu at %a: another end", order, l, n,
+              s[l]);
+        CHECK(same(&far, &reach[l], sizeof far),
+              "order %zu, lane %zu of %zu to %a: %a, not %a", order, l, n,
+              to[l], reach[l], far);
+    }
+}
+
+static void ends_and_reaches_are_those_of_each_alone(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (size_t i = 0; i < 4000; i++) {
+        check_steps(&graph_step_2, 1 + i % 2, &rng);
+#ifdef HAVE_WIDE_LANES
+        if (jet_width() >= 4)
+            check_steps(&graph_step_4, 1 + i % JET_MANY, &rng);
+        if (jet_width() >= 8)
+            check_steps(&graph_step_8, 1 + i % JET_MANY, &rng);
+#endif
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(looks_are_those_of_each_alone),
         cmocka_unit_test(series_are_those_of_each_alone),
+        cmocka_unit_test(ends_and_reaches_are_those_of_each_alone),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

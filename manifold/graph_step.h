@@ -1,0 +1,16 @@
+/*
+ * graph_step.h -- graph_reach and graph_ends of n <= 2 series, or of n <=
+ * JET_MANY by registers of 4 or of 8.
+ */
+#pragma once
+
+#include "graph.h"
+
+struct graph_step {
+    void (*reach)(size_t order, size_t n, const double *const u[],
+                  const double to[], double s[]);
+    void (*ends)(size_t order, size_t n, const double *const u[],
+                 const double s[], struct graph_end out[]);
+};
+
+extern const struct graph_step graph_step_2, graph_step_4, graph_step_8;
