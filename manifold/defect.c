@@ -10,6 +10,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "graph.h"
+#include "many.h"
 #include "tolerance.h"
 
 enum { NODES = 5 };
@@ -37,21 +39,14 @@ static double rounding_of(const struct planar_field *f, struct vec2 z,
             fabs(by_y) * (far + fabs(z.y)));
 }
 
-struct defect_slope defect_look(const struct planar *sys,
-                                const struct branch *b, size_t piece,
-                                double theta)
+static struct defect_slope slope_of(int ind, struct vec2 z,
+                                    const struct planar_jacobian *J)
 {
-    const int ind = branch_graph(b, piece);
-    double at[CURVE_DIM_MAX];
-    struct planar_jacobian J;
-
-    curve_at(&b->curve, piece, theta, at);
-    const struct vec2 z = { at[0], at[1] };
-    sys->jacobian(sys->ctx, z, &J);
-    const struct vec2 f = J.field.direction;
-    const struct mat2 m = J.matrix;
+    const struct vec2 f = J->field.direction;
+    const struct mat2 m = J->matrix;
     const double slope = ind == 0 ? f.y / f.x : f.x / f.y;
     struct defect_slope s = { .ind = ind, .slope = slope };
+
     if (ind == 0) {
         s.by_ind = (m.yx - slope * m.xx) / f.x;
         s.by_dep = (m.yy - slope * m.xy) / f.x;
@@ -59,8 +54,21 @@ struct defect_slope defect_look(const struct planar *sys,
         s.by_ind = (m.xy - slope * m.yy) / f.y;
         s.by_dep = (m.xx - slope * m.yx) / f.y;
     }
-    s.rounding = rounding_of(&J.field, z, &s);
+    s.rounding = rounding_of(&J->field, z, &s);
     return s;
+}
+
+struct defect_slope defect_look(const struct planar *sys,
+                                const struct branch *b, size_t piece,
+                                double theta)
+{
+    double at[CURVE_DIM_MAX];
+    struct planar_jacobian J;
+
+    curve_at(&b->curve, piece, theta, at);
+    const struct vec2 z = { at[0], at[1] };
+    sys->jacobian(sys->ctx, z, &J);
+    return slope_of(branch_graph(b, piece), z, &J);
 }
 
 struct defect defect_start(const struct branch *b, struct vec2 floor)
@@ -80,16 +88,37 @@ static double mean_growth(double z)
     return z == 0.0 ? 1.0 : expm1(z) / z;
 }
 
+/* A piece's x and y at theta times a node, one after the other. */
+static void piece_at(const struct branch *b, size_t piece, double theta,
+                     struct graph_end at[2 * NODES])
+{
+    const double *u[2 * NODES];
+    double s[2 * NODES];
+
+    for (size_t i = 0; i < 2 * NODES; i++) {
+        u[i] = curve_component(&b->curve, piece, i % 2);
+        s[i] = theta * node[i / 2];
+    }
+    graph_ends(b->curve.piece[piece].degree, 2 * NODES, u, s, at);
+}
+
 struct defect defect_carry(const struct planar *sys, const struct branch *b,
                            size_t piece, double theta, struct defect e)
 {
-    double way[CURVE_DIM_MAX];
+    const int over = branch_graph(b, piece);
+    struct graph_end at[2 * NODES];
+    struct planar_look seen[NODES];
+    struct vec2 z[NODES];
 
+    piece_at(b, piece, theta, at);
+    for (int i = 0; i < NODES; i++)
+        z[i] = (struct vec2){ at[2 * i].value, at[2 * i + 1].value };
+    many_along(sys, NODES, z, -1, true, seen);
     for (int i = 0; i < NODES; i++) {
-        const double at = theta * node[i], length = theta * weight[i];
-        const struct defect_slope s = defect_look(sys, b, piece, at);
-        curve_slope_at(&b->curve, piece, at, way);
-        const double ind = way[s.ind], dep = way[1 - s.ind];
+        const struct defect_slope s = slope_of(over, z[i], &seen[i].J);
+        const double length = theta * weight[i];
+        const double ind = at[2 * i + over].slope,
+                     dep = at[2 * i + 1 - over].slope;
         const double grow = s.by_dep * ind * length;
         const double off = TOL_BAR_FIRST_ORDER * fabs(dep - s.slope * ind) +
                            s.rounding * fabs(ind);
