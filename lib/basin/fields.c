@@ -26,6 +26,12 @@ static bool tell(const void *ctx, struct vec2 z, const struct base_point *base,
     return fast_cells_tell(ctx, z, base, which, out);
 }
 
+static void friction(const void *ctx, struct vec2 z, double left,
+                     double left_error, struct cell *c)
+{
+    fast_cells_friction(ctx, z, left, left_error, c);
+}
+
 static bool passes(const void *ctx, double one, double other)
 {
     const struct fast_cells *f = ctx;
@@ -47,9 +53,12 @@ static enum status plan(const struct fields *f,
                         const struct patchwork_grid *grid, double rtol,
                         const struct monitor *monitor, struct patchwork *w)
 {
-    const struct patchwork_source source = {
-        find, sample, { tell, passes, &f->fast }, fates_of(f), &f->fast
-    };
+    const struct patchwork_source source = { find,
+                                             sample,
+                                             { tell, friction, passes,
+                                               &f->fast },
+                                             fates_of(f),
+                                             &f->fast };
     return patchwork_plan(w, grid, &source, rtol, f->which, monitor);
 }
 

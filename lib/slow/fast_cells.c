@@ -28,26 +28,51 @@ void fast_cells_free(struct fast_cells *f)
 
 /* ---- one state ----------------------------------------------------------- */
 
+/* Work over slip, per unit of v0^2 - v1^2. */
+static double work_of(const struct slider *s, double slip)
+{
+    const double t = (double) s->block.tan_alpha;
+
+    return 0.5 * material_eps2(&s->block.material) * hypot(1.0, t) / slip;
+}
+
+/* Friction from c's slip, `left` being v1^2.  tan(alpha) and the sum round by
+ * half a digit each, what is lost by five at most. */
+static void fill_friction(const struct slider *s, double x, double left,
+                          double left_error, struct cell *c)
+{
+    const double t = (double) s->block.tan_alpha;
+    const double v0 = exp(x), per = work_of(s, c->slip);
+    const double lost = per * (v0 * v0 - left);
+    const double start = 2.0 * TOL_ROUNDING * (1.0 + fabs(x)) * v0 * v0;
+
+    c->mu_mean = t + lost;
+    c->mu_mean_error = fabs(lost) * c->slip_error / c->slip +
+                       per * (start + left_error) +
+                       DBL_EPSILON * (t + TOL_ROUNDINGS_FEW * fabs(lost));
+}
+
+/* v^2 where it arrests, and its error. */
+static double square_at_end(const struct slider *s, const struct layer *l,
+                            double *error)
+{
+    const double v = exp(s->block.at.x0 + l->x_end);
+
+    *error = v * v * (2.0 * l->x_end_error + TOL_ROUNDINGS_FEW * DBL_EPSILON);
+    return v * v;
+}
+
 static void fill_integrals(const struct slider *s, double x,
                            const struct layer *l, struct cell *c)
 {
-    const double t = (double) s->block.tan_alpha;
-    const double rounding = TOL_ROUNDING;
-    const double v0 = exp(x), v1 = exp(s->block.at.x0 + l->x_end);
-    const double per =
-        0.5 * material_eps2(&s->block.material) * hypot(1.0, t) / l->slip;
-    const double lost = per * (v0 - v1) * (v0 + v1);
-    const double unsure =
-        2.0 * per *
-        (v0 * v0 * rounding * (1.0 + fabs(x)) + v1 * v1 * l->x_end_error);
+    double left_error;
+    const double left = square_at_end(s, l, &left_error);
 
     c->slip = l->slip;
-    c->slip_error = l->slip_error + rounding * l->slip;
+    c->slip_error = l->slip_error + TOL_ROUNDING * l->slip;
     c->time = l->time;
-    c->time_error = l->time_error + rounding * l->time;
-    c->mu_mean = t + lost;
-    c->mu_mean_error = fabs(lost) * c->slip_error / l->slip + unsure +
-                       rounding * (t + fabs(lost));
+    c->time_error = l->time_error + TOL_ROUNDING * l->time;
+    fill_friction(s, x, left, left_error, c);
 }
 
 unsigned fast_cells_fields(const struct slider *s, enum fate fate)
@@ -310,13 +335,23 @@ enum status fast_cells_find(const struct fast_cells *f, const struct vec2 z[],
 
 /* ---- patches ------------------------------------------------------------- */
 
-/* Those that are not followed any further: as fast_cells_find, without base. */
+/* Those that are not followed any further: as fast_cells_find, without base;
+ * by (27) their friction tells how fast they arrest. */
 static enum status sample_whole(const struct fast_cells *f,
                                 struct patch_sample *s, double rtol,
                                 unsigned which)
 {
+    const double v = exp(s->z.x);
+    const double t = (double) f->slider->block.tan_alpha;
+    const enum status status =
+        fast_cells_find(f, &s->z, 1, rtol, which, NULL, &s->cell, NULL);
+    const double per = work_of(f->slider, s->cell.slip);
+
     s->base = base_point_of(&f->curve, &(struct layer){ .end = LAYER_LOST });
-    return fast_cells_find(f, &s->z, 1, rtol, which, NULL, &s->cell, NULL);
+    s->left = v * v - (s->cell.mu_mean - t) / per;
+    s->left_error =
+        s->cell.mu_mean_error / per + TOL_ROUNDINGS_FEW * DBL_EPSILON * v * v;
+    return status;
 }
 
 static void take_sample(const struct fast_cells *f, const struct layer *l,
@@ -329,6 +364,7 @@ static void take_sample(const struct fast_cells *f, const struct layer *l,
         l->fate == FATE_RUNAWAY)
         seen.end = LAYER_RAN;
     s->cell = cell_of(f->slider, s->z, which & integrals, &seen);
+    s->left = square_at_end(f->slider, l, &s->left_error);
 }
 
 /* Those whose bars are far too wide are followed once more. */
@@ -407,6 +443,8 @@ enum status fast_cells_sample(const struct fast_cells *f,
 {
     enum status failed = STATUS_OK;
 
+    if (which & 1u << CELL_MU_MEAN) /* by slip */
+        which |= 1u << CELL_SLIP;
 #pragma omp parallel for schedule(dynamic)
     for (size_t i = 0; i < n; i += FEWEST) {
         const size_t some = n - i < FEWEST ? n - i : FEWEST;
@@ -418,6 +456,12 @@ enum status fast_cells_sample(const struct fast_cells *f,
         }
     }
     return failed;
+}
+
+void fast_cells_friction(const struct fast_cells *f, struct vec2 z, double left,
+                         double left_error, struct cell *c)
+{
+    fill_friction(f->slider, z.x, left, left_error, c);
 }
 
 bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,

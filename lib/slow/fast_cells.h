@@ -29,8 +29,9 @@ MUST_CHECK enum status fast_cells_find(const struct fast_cells *f,
                                        struct cell out[], size_t *whole);
 
 /* For patches (patch.h): the cells of sample[].z about as accurately as rtol,
- * which is not made sure of, with their base points; NaN where these pass a box
- * of arrest.  Otherwise as fast_cells_find. */
+ * which is not made sure of, with slip where friction is asked for, their base
+ * points, and v^2 at arrest; NaN where these pass a box of arrest.  Otherwise
+ * as fast_cells_find. */
 MUST_CHECK enum status fast_cells_sample(const struct fast_cells *f,
                                          struct patch_sample sample[], size_t n,
                                          double rtol, unsigned which);
@@ -40,6 +41,11 @@ MUST_CHECK enum status fast_cells_sample(const struct fast_cells *f,
 bool fast_cells_tell(const struct fast_cells *f, struct vec2 z,
                      const struct base_point *base, unsigned which,
                      struct cell *out);
+
+/* The mean friction of the state z, and its error, from c's slip and v^2 at
+ * arrest, units of V_star^2. */
+void fast_cells_friction(const struct fast_cells *f, struct vec2 z, double left,
+                         double left_error, struct cell *c);
 
 /* Bits of enum cell_field: those that states of a fate have (cells.h). */
 unsigned fast_cells_fields(const struct slider *s, enum fate fate);

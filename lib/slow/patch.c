@@ -6,13 +6,10 @@
 #include <stdlib.h>
 
 #include "fate.h"
+#include "patch_field.h"
 #include "slow_tolerance.h"
 
-/* Where a field lies in struct cell, and whether its logarithm is smooth. */
-static const struct member {
-    size_t value, error;
-    bool is_log;
-} member[CELL_FIELDS] = {
+const struct patch_field patch_field[CELL_FIELDS] = {
     [CELL_SLIP] = { offsetof(struct cell, slip),
                     offsetof(struct cell, slip_error), true },
     [CELL_TIME] = { offsetof(struct cell, time),
@@ -27,16 +24,6 @@ static const struct member {
 
 static const unsigned by_base =
     1u << CELL_SLIP | 1u << CELL_TIME | 1u << CELL_MU_MEAN;
-
-static double read_at(const struct cell *c, size_t offset)
-{
-    return *(const double *) ((const char *) c + offset);
-}
-
-static void write_at(struct cell *c, size_t offset, double value)
-{
-    *(double *) ((char *) c + offset) = value;
-}
 
 size_t patch_nodes(const struct patch_side *x, const struct patch_side *y,
                    struct vec2 z[PATCH_NODES])
@@ -62,19 +49,19 @@ struct numbers {
 
 /* The field of every sample, relative errors; how many there are, and the least
  * value. */
-static size_t take_field(const struct member *m, struct numbers *n,
+static size_t take_field(const struct patch_field *m, struct numbers *n,
                          double *least)
 {
     size_t count = 0;
 
     *least = HUGE_VAL;
     for (size_t i = 0; i < n->of.count; i++) {
-        const double value = read_at(&n->sample[i].cell, m->value);
+        const double value = patch_field_read(&n->sample[i].cell, m->value);
         if (!(value > 0.0 && isfinite(value)))
             continue;
         n->of.value[i] = m->is_log ? log(value) : value;
-        n->of.error[i] =
-            read_at(&n->sample[i].cell, m->error) / (m->is_log ? value : 1.0);
+        n->of.error[i] = patch_field_read(&n->sample[i].cell, m->error) /
+                         (m->is_log ? value : 1.0);
         *least = fmin(*least, value);
         count++;
     }
@@ -82,20 +69,60 @@ static size_t take_field(const struct member *m, struct numbers *n,
 }
 
 /* Sets the field's bar: infinite where it is there for some states only, NaN
- * for none.  What bars are to be divided by to be relative. */
-static double fit_field(struct patch *p, int field, struct numbers *n)
+ * for none. */
+static void fit_field(struct patch *p, int field, struct numbers *n)
 {
-    const struct member *m = &member[field];
+    const struct patch_field *m = &patch_field[field];
     double least;
     const size_t count = take_field(m, n, &least);
 
     p->bar[field] = count == 0 ? (double) NAN : HUGE_VAL;
     if (count < n->of.count)
-        return 1.0;
+        return;
     patch_poly_fit(&p->field[field], &p->x, &p->y, &n->of);
-    least = m->is_log ? 1.0 : least;
-    p->bar[field] = p->field[field].bar / least;
-    return least;
+    p->bar[field] = p->field[field].bar / (m->is_log ? 1.0 : least);
+}
+
+/* Relative, of the friction that polynomials of slip and of v^2 at arrest tell
+ * at most. */
+static double friction_bar(const struct patch *p, const struct numbers *n,
+                           const struct patch_teller *t)
+{
+    double worst = 0.0;
+
+    for (size_t i = 0; i < n->of.count; i++) {
+        const struct patch_sample *s = &n->sample[i];
+        struct cell c = { .slip = s->cell.slip,
+                          .slip_error =
+                              s->cell.slip * p->field[CELL_SLIP].bar };
+        t->friction(t->ctx, s->z, s->left, p->field[CELL_MU_MEAN].bar, &c);
+        worst = fmax(worst, c.mu_mean_error / fabs(c.mu_mean));
+    }
+    return worst;
+}
+
+/* By (27) it needs no polynomial, but slip and v^2 at arrest do, which hardly
+ * changes: what errs by a part of itself in slip errs by as much of what
+ * friction has over tan(alpha), and nothing of tan(alpha) is interpolated. */
+static void fit_friction(struct patch *p, struct numbers *n,
+                         const struct patch_teller *teller)
+{
+    double least;
+    const size_t count = take_field(&patch_field[CELL_MU_MEAN], n, &least);
+
+    p->bar[CELL_MU_MEAN] = count == 0 ? (double) NAN : HUGE_VAL;
+    if (count < n->of.count)
+        return;
+    if (!(p->which >> CELL_SLIP & 1u))
+        fit_field(p, CELL_SLIP, n);
+    if (!isfinite(p->bar[CELL_SLIP]))
+        return;
+    for (size_t i = 0; i < n->of.count; i++) {
+        n->of.value[i] = n->sample[i].left;
+        n->of.error[i] = n->sample[i].left_error;
+    }
+    patch_poly_fit(&p->field[CELL_MU_MEAN], &p->x, &p->y, &n->of);
+    p->bar[CELL_MU_MEAN] = friction_bar(p, n, teller);
 }
 
 /* ---- base points --------------------------------------------------------- */
@@ -125,9 +152,10 @@ static double excess_of(const struct patch *p, const struct patch_teller *t,
 
     (void) t->tell(t->ctx, s->z, &b, which, &c);
     for (int k = 0; k < CELL_FIELDS; k++) {
-        const double value = read_at(&c, member[k].value);
+        const double value = patch_field_read(&c, patch_field[k].value);
         if (which >> k & 1u && !isnan(value))
-            worst = fmax(worst, read_at(&c, member[k].error) / fabs(value));
+            worst = fmax(worst, patch_field_read(&c, patch_field[k].error) /
+                                    fabs(value));
     }
     return worst / rtol;
 }
@@ -249,24 +277,39 @@ static int8_t common_fate(const struct numbers *n)
     return first;
 }
 
+/* Of a polynomial that errs by `excess` of what it may. */
+static void blame(const struct patch_poly *p, double excess,
+                  struct patch_verdict *v)
+{
+    v->excess_x = fmax(v->excess_x, excess * (p->x / p->bar));
+    v->excess_y = fmax(v->excess_y, excess * (p->y / p->bar));
+}
+
 /* Fields that are good enough as they are; the verdict on the worst other. */
 static struct patch_verdict fit_fields(struct patch *p, struct numbers *n,
-                                       double rtol)
+                                       double rtol,
+                                       const struct patch_teller *teller)
 {
     struct patch_verdict v = { .holds = true, .is_smooth = true };
 
     for (int k = 0; k < CELL_FIELDS; k++) {
         if (!(p->which >> k & 1u))
             continue;
-        const double scale = rtol * fit_field(p, k, n);
+        if (k == CELL_MU_MEAN)
+            fit_friction(p, n, teller);
+        else
+            fit_field(p, k, n);
         if (!(p->bar[k] > rtol)) {
             p->plain |= 1u << k;
             continue;
         }
         v.holds = false;
         v.is_smooth = v.is_smooth && isfinite(p->bar[k]);
-        v.excess_x = fmax(v.excess_x, p->field[k].x / scale);
-        v.excess_y = fmax(v.excess_y, p->field[k].y / scale);
+        if (!isfinite(p->bar[k]))
+            continue;
+        blame(&p->field[k], p->bar[k] / rtol, &v);
+        if (k == CELL_MU_MEAN)
+            blame(&p->field[CELL_SLIP], p->bar[k] / rtol, &v);
     }
     return v;
 }
@@ -311,134 +354,10 @@ struct patch_verdict patch_fit(struct patch *p, const struct patch_side *x,
     p->late = most_late(&n);
     if (p->exit_reason != FATE_UNDECIDED && !has_box(teller, &n) &&
         !falls_by_box(p, teller, &n))
-        fields = fit_fields(p, &n, rtol);
+        fields = fit_fields(p, &n, rtol, teller);
     if (!fields.holds && (which & ~p->plain & ~by_base) == 0)
         base = fit_base(p, &n, rtol, teller);
     return fields.holds || (fields.is_smooth && !base.is_smooth) ? fields
            : base.is_smooth                                      ? base
                             : judge_kinds(p, &n);
-}
-
-/* ---- cells --------------------------------------------------------------- */
-
-/* Polynomials of x on one row: y is done with. */
-struct row {
-    const struct patch *p;
-    const struct patch_teller *teller;
-    unsigned told; /* bits: fields by base points */
-    double rtol, y;
-    struct patch_line field[CELL_FIELDS], base[PATCH_BASES];
-};
-
-/* A column, and what its polynomials leave out along it. */
-struct place {
-    double x, above[CELL_FIELDS], base_above[PATCH_BASES];
-    struct patch_point at;
-};
-
-static double line_at(const struct row *r, const struct patch_line *l,
-                      const struct place *at, double above, double *bar)
-{
-    return patch_line_at(l, &r->p->x, &at->at, above, bar);
-}
-
-/* The fields that base points tell; false: they do not, or too widely. */
-static bool tell(const struct row *r, const struct place *at, struct cell *c)
-{
-    const struct vec2 z = { at->x, r->y };
-    struct base_point b = { .late = r->p->late };
-
-    b.y = line_at(r, &r->base[PATCH_BASE_Y], at, at->base_above[PATCH_BASE_Y],
-                  &b.y_error);
-    b.more = line_at(r, &r->base[PATCH_BASE_MORE], at,
-                     at->base_above[PATCH_BASE_MORE], &b.more_error);
-    if (!r->teller->tell(r->teller->ctx, z, &b, r->told, c))
-        return false;
-    for (int k = 0; k < CELL_FIELDS; k++)
-        if (r->told >> k & 1u &&
-            read_at(c, member[k].error) > r->rtol * read_at(c, member[k].value))
-            return false;
-    return true;
-}
-
-/* The others asked for, and NaN for those that nobody asked for. */
-static void add_plain(const struct row *r, const struct place *at,
-                      struct cell *c)
-{
-    const struct patch *p = r->p;
-
-    for (int k = 0; k < CELL_FIELDS; k++) {
-        double value = (double) NAN, error = (double) NAN;
-        if (r->told >> k & 1u)
-            continue;
-        if (p->plain >> k & 1u && !isnan(p->bar[k])) {
-            value = line_at(r, &r->field[k], at, at->above[k], &error);
-            value = member[k].is_log ? exp(value) : value;
-            error = member[k].is_log ? error * value : error;
-        }
-        write_at(c, member[k].value, value);
-        write_at(c, member[k].error, error);
-    }
-}
-
-static struct place place_of(const struct patch *p, size_t column)
-{
-    struct place at = { .x = p->x.at[column] };
-
-    at.at = patch_side_point(&p->x, at.x);
-    for (int k = 0; k < CELL_FIELDS; k++)
-        if (p->plain >> k & 1u)
-            at.above[k] = patch_poly_above(&p->field[k], &p->x, &at.at);
-    for (int k = 0; k < PATCH_BASES && p->has_base; k++)
-        at.base_above[k] = patch_poly_above(&p->base[k], &p->x, &at.at);
-    return at;
-}
-
-static void set_row(struct row *r, double y)
-{
-    const struct patch *p = r->p;
-    const struct patch_point level = patch_side_point(&p->y, y);
-
-    r->y = y;
-    for (int k = 0; k < CELL_FIELDS; k++)
-        if (p->plain >> k & 1u)
-            r->field[k] = patch_poly_line(&p->field[k], &p->x, &p->y, &level);
-    for (int k = 0; k < PATCH_BASES && r->told; k++)
-        r->base[k] = patch_poly_line(&p->base[k], &p->x, &p->y, &level);
-}
-
-static void fill_cell(const struct row *r, const struct place *at, int8_t label,
-                      struct cell *c)
-{
-    c->exit_reason = r->p->exit_reason;
-    const bool is_told = !r->told || tell(r, at, c);
-    add_plain(r, at, c);
-    if (!is_told || c->exit_reason != label)
-        c->exit_reason = FATE_NONE;
-}
-
-void patch_rows(const struct patch *p, size_t first, size_t rows, size_t stride,
-                const int8_t label[], double rtol,
-                const struct patch_teller *teller, struct cell out[])
-{
-    enum { TOGETHER = 64 }; /* columns */
-    struct place place[TOGETHER];
-    struct row r;
-
-    r.p = p;
-    r.teller = teller;
-    r.told = p->which & ~p->plain;
-    r.rtol = rtol;
-    for (size_t from = 0; from < p->x.cells; from += TOGETHER) {
-        const size_t left = p->x.cells - from;
-        const size_t n = left < TOGETHER ? left : TOGETHER;
-        for (size_t i = 0; i < n; i++)
-            place[i] = place_of(p, from + i);
-        for (size_t j = 0; j < rows; j++) {
-            const size_t at = j * stride + from;
-            set_row(&r, p->y.at[first + j]);
-            for (size_t i = 0; i < n; i++)
-                fill_cell(&r, &place[i], label[at + i], &out[at + i]);
-        }
-    }
 }

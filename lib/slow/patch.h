@@ -11,8 +11,9 @@
 /* A state that has been looked at; no number is there that it lacks. */
 struct patch_sample {
     struct vec2 z;
-    struct cell cell;       /* NaN where its base point passes a box */
-    struct base_point base; /* NaN: none */
+    struct cell cell;        /* NaN where its base point passes a box */
+    struct base_point base;  /* NaN: none */
+    double left, left_error; /* v^2 where it arrests, V_star^2 */
 };
 
 /* What base points say, for `ctx`. */
@@ -21,6 +22,9 @@ struct patch_teller {
      * where it is not to be relied on, too near a boundary or a box. */
     bool (*tell)(const void *ctx, struct vec2 z, const struct base_point *base,
                  unsigned which, struct cell *out);
+    /* c's mean friction and its error, of its slip and of v^2 at arrest. */
+    void (*friction)(const void *ctx, struct vec2 z, double left,
+                     double left_error, struct cell *c);
     /* Whether any between the two may pass a box of arrest. */
     bool (*passes)(const void *ctx, double one, double other);
     const void *ctx;
@@ -33,6 +37,7 @@ struct patch {
     unsigned which, plain; /* bits: fields asked for; those with coef */
     bool has_base;
     int8_t exit_reason; /* of the samples; FATE_UNDECIDED: they differ */
+    /* of mean friction: v^2 at arrest; it is told by that and slip */
     struct patch_poly field[CELL_FIELDS], base[PATCH_BASES];
     double late;             /* of its base points, at most */
     double bar[CELL_FIELDS]; /* relative, the largest; NaN where the field does

@@ -61,7 +61,7 @@ static bool passes(const void *ctx, double one, double other)
     return false;
 }
 
-static const struct patch_teller teller = { tell, passes, NULL };
+static const struct patch_teller teller = { tell, NULL, passes, NULL };
 
 struct room {
     double x[COLUMNS], y[ROWS];

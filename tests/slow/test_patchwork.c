@@ -19,7 +19,7 @@ static const unsigned both = 1u << CELL_SLIP | 1u << CELL_MU_MEAN;
  * base points. */
 struct model {
     double bend, kink, noise;
-    bool has_no_slip;
+    bool has_no_friction;
     enum status fails;
     /* what was asked of it */
     double *tightest;
@@ -66,8 +66,8 @@ static struct cell truth(const struct model *m, struct vec2 z)
         c.slip = 0.01 + 0.001 * z.x * z.x;
         c.mu_mean = 0.4;
     }
-    if (m->has_no_slip)
-        c.slip = (double) NAN;
+    if (m->has_no_friction)
+        c.mu_mean = (double) NAN;
     return c;
 }
 
@@ -107,7 +107,10 @@ static enum status sample(const void *ctx, struct patch_sample s[], size_t n,
         s[i].base = (struct base_point){ y + shake, m->noise * rtol,
                                          more_of(s[i].z) - shake,
                                          m->noise * rtol, 1.0 };
-        if (s[i].z.y > m->kink || m->has_no_slip)
+        const struct cell t = truth(m, s[i].z);
+        s[i].left = 1.0 - 10.0 * (t.mu_mean - 0.4) * t.slip;
+        s[i].left_error = 1e-14;
+        if (s[i].z.y > m->kink || m->has_no_friction)
             s[i].base = (struct base_point){ no, no, no, no, 1.0 };
         if (passes(NULL, s[i].base.y, s[i].base.y))
             s[i].cell.slip = s[i].cell.mu_mean = no;
@@ -125,6 +128,16 @@ static bool tell(const void *ctx, struct vec2 z, const struct base_point *b,
         1.1 * 0.1 * out->slip_error / (out->slip * out->slip) + 1e-15;
     return 10.0 * b->y_error < fabs(b->y) &&
            !passes(NULL, b->y - 10.0 * b->y_error, b->y + 10.0 * b->y_error);
+}
+
+/* What arrests at no speed has 0.1 of work to lose. */
+static void friction(const void *ctx, struct vec2 z, double left,
+                     double left_error, struct cell *c)
+{
+    (void) ctx, (void) z;
+    c->mu_mean = 0.4 + 0.1 * (1.0 - left) / c->slip;
+    c->mu_mean_error =
+        0.1 * (c->slip_error / c->slip + left_error) / c->slip + 1e-15;
 }
 
 struct grid {
@@ -153,8 +166,9 @@ static void make_grid(struct grid *g, struct model *m)
     for (int j = 0; j < ROWS; j++)
         g->span[j] = (struct patchwork_span){ 0, COLUMNS };
     g->g = (struct patchwork_grid){ g->x, g->y, COLUMNS, ROWS, g->span };
-    g->source =
-        (struct patchwork_source){ find, sample, { tell, passes, m }, ~0u, m };
+    g->source = (struct patchwork_source){
+        find, sample, { tell, friction, passes, m }, ~0u, m
+    };
 }
 
 /* Plans and fills; how many states that took. */
@@ -235,15 +249,15 @@ static void what_does_not_exist_is_not_interpolated(void **state)
 {
     static struct grid g;
     static struct cell out[CELLS];
-    struct model m = { .bend = 9.0, .kink = 5.0, .has_no_slip = true };
+    struct model m = { .bend = 9.0, .kink = 5.0, .has_no_friction = true };
 
     (void) state;
     make_grid(&g, &m);
     const size_t sampled = fill(&g, 1e-4, out);
     for (int k = 0; k < CELLS; k++)
-        CHECK(isnan(out[k].slip) && isnan(out[k].slip_error) &&
-                  out[k].mu_mean > 0.0,
-              "cell %d: %g", k, out[k].slip);
+        CHECK(isnan(out[k].mu_mean) && isnan(out[k].mu_mean_error) &&
+                  out[k].slip > 0.0,
+              "cell %d: %g", k, out[k].mu_mean);
     CHECK(sampled < CELLS / 3, "%zu states", sampled);
 }
 
