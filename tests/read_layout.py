@@ -17,6 +17,8 @@ COMPANIONS = {'error': ('real', ': bound on the absolute error'),
               'reason': ('text', ': why it is absent'),
               'conditioning': ('real',
                                ': relative error from rounding the inputs'),
+              'spread': ('real', ': standard deviation that the scatter of the '
+                                 'inputs makes'),
               'not_proved': ('text', ': why nothing is proved of it'),
               'proved': ('code', ': what is proved'),
               'lo': ('real', ': proved to be at least'),
@@ -133,7 +135,7 @@ class Reader:
             return None
         kind, text = COMPANIONS[suffix]
         unit = ('' if kind == 'text' else
-                e.unit if suffix in ('error', 'lo', 'hi') else '1')
+                e.unit if suffix in ('error', 'spread', 'lo', 'hi') else '1')
         if suffix == 'exists' and group in DRAWN:
             text = ': whether it exists, or why not'
         return kind, unit, e.along, e.text + text, WORDS.get(suffix, [])
