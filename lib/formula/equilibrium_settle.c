@@ -255,10 +255,10 @@ static bool is_known(const struct equilibrium_search *s,
         for (int k = 0; k < 2; k++) {
             const formula_real apart =
                 fabsq(q->chart[k].value - known->chart[k].value);
-            const double bar = q->chart[k].error + known->chart[k].error;
-            same = same &&
-                   (apart <= bar || (s->period[k] > 0 &&
-                                     fabsq(apart - s->turn[k]) <= bar + 1e-28));
+            const formula_real turn = s->period[k] > 0 ? s->turn[k] : 0;
+            const formula_real bar =
+                q->chart[k].error + known->chart[k].error + TOL_PERIODIC * turn;
+            same = same && (apart <= bar || fabsq(apart - turn) <= bar);
         }
         if (same)
             return true;

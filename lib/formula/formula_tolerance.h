@@ -21,3 +21,7 @@
 /* A side is parted for what it changes in the equations where that differs by
  * more than this, of 2 in all, from what the other changes. */
 #define TOL_BOX_DECIDES 0.25
+
+/* A period is typed with so many digits: rates after it are the same to this
+ * part of their slopes and values, places to this part of it. */
+#define TOL_PERIODIC 1e-25

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formula_tolerance.h"
 #include "interval.h"
 #include "spell.h"
 
@@ -266,7 +267,7 @@ static bool rates_at(struct interval_plan *p, const formula_real at[2],
 }
 
 /* Whether rates and observables are the same a period further, at some states:
- * to 1e-25 of their slopes and values there. */
+ * to TOL_PERIODIC of their slopes and values there. */
 static bool is_periodic(const struct formula_system *s, struct interval_plan *p,
                         int k)
 {
@@ -291,7 +292,8 @@ static bool is_periodic(const struct formula_system *s, struct interval_plan *p,
             formula_real size = here[j].value.lo * here[j].value.lo;
             for (int i2 = 0; i2 < 2; i2++)
                 size += here[j].by[i2].lo * here[j].by[i2].lo;
-            if (!(off * off <= (formula_real) 1e-50 * (1 + size)))
+            if (!(off * off <=
+                  (formula_real) TOL_PERIODIC * TOL_PERIODIC * (1 + size)))
                 return false;
         }
     }
