@@ -21,6 +21,7 @@ struct grow_options {
     double rtol;  /* asked of the limits and integrals */
     size_t order; /* of the Taylor series */
     size_t max_steps;
+    double longest; /* of a step, along x or y; 0: as far as it holds */
     struct carry carry;
     bool bare; /* pieces are constants: where the branch was, for who wants its
                   limits and what they are off by */

@@ -49,6 +49,8 @@ void grow_step_choose(struct grower *const g[], size_t n)
     for (size_t i = 0; i < n; i++) {
         const double far = fabs(g[i]->u.at[g[i]->ind][0]) / g[i]->unit;
         g[i]->h = fmin(reach[i], fmax(TOL_STEP_MOST, far)); /* where flat */
+        if (g[i]->o->longest > 0.0)
+            g[i]->h = fmin(g[i]->h, g[i]->o->longest / g[i]->unit);
     }
     for (size_t k = 0; k < g[0]->o->carry.count; k++) {
         for (size_t i = 0; i < n; i++) {

@@ -170,6 +170,20 @@ def where_branches_end_does_not_hang_on_the_accuracy(room):
         expect(ends[0] == ends[1] == ends[2] == ends[3], ode, ends)
 
 
+PHASES = """system:
+  state: {a: angle, b: angle}
+  rates: {a: "0.1 - 2*sin(a) - sin(b) + 0.5*sin(b - a)", b: "0.05 - 2*sin(b) - sin(a) + 0.5*sin(a - b)"}
+window: {a: [-3, 3], b: [-3, 3]}
+"""
+
+
+def a_branch_that_is_lost_on_a_step_takes_shorter_ones(room):
+    room.write('a.yaml', PHASES)
+    for rtol in ('1e-6', '1e-8', '1e-13'):
+        found = room.json('portrait', 'a.yaml', '--rtol', rtol)['manifolds']
+        expect([m['end'] for m in found] == ['equilibrium'] * 8, rtol, found)
+
+
 def pages_and_plans_tell_of_systems(room):
     page = room.good('help', '--as', 'hdf5')
     for group in ('/sensitivities/p', '/manifold/saddle_0/stable_0',
@@ -330,6 +344,7 @@ def a_law_without_a_slope_at_its_steady_state_is_no_node(room):
 
 run_cases([a_straight_line_ends_where_it_comes_to_rest,
            where_branches_end_does_not_hang_on_the_accuracy,
+           a_branch_that_is_lost_on_a_step_takes_shorter_ones,
            whole_parameters_are_exponents_of_what_is_negative,
            names_that_other_programs_have_are_numbers_there,
            names_of_a_law_s_own_are_set_swept_exported_and_recorded,

@@ -309,52 +309,55 @@ static struct vec2 on_last(const struct branch *b, double theta)
     return (struct vec2){ at[0], at[1] };
 }
 
-/* Half as far as a piece: across it the branch moves in x or y. */
-static void clip(const struct following *f, const struct branch *b,
-                 struct box *domain)
+/* How far the last piece goes in x or y. */
+static double last_extent(const struct branch *b)
 {
     const struct vec2 d = vec2_sub(on_last(b, 1.0), on_last(b, 0.0));
-    const struct vec2 m = vec2_add(f->from->z, on_last(b, 0.5));
 
-    if (fabs(d.x) >= fabs(d.y))
-        *(d.x > 0.0 ? &domain->hi.x : &domain->lo.x) = m.x;
-    else
-        *(d.y > 0.0 ? &domain->hi.y : &domain->lo.y) = m.y;
+    return fmax(fabs(d.x), fabs(d.y));
+}
+
+/* Just outside the window. */
+static struct box about_window(const struct following *f)
+{
+    const struct box w = plane_study_box(f->s), far = f->system->domain;
+    const struct vec2 room = vec2_scale(0.0625, f->s->scale.side);
+
+    return (struct box){
+        { fmax(far.lo.x, w.lo.x - room.x), fmax(far.lo.y, w.lo.y - room.y) },
+        { fmin(far.hi.x, w.hi.x + room.x), fmin(far.hi.y, w.hi.y + room.y) }
+    };
 }
 
 /* A branch that is lost on a piece that begins in the window is too far out on
  * it, or has run through an equilibrium, behind which it is none: it is grown
- * again to just outside the window, then half as far as it is lost, until it is
- * not.  Else the lost piece is left out. */
+ * again to just outside the window, then by steps half as long as the one that
+ * it is lost on, until it is not.  Else the lost piece is left out. */
 static enum status go_nearer(struct following *f, const struct local_series *u,
-                             const struct grow_options *o, struct branch *b)
+                             const struct grow_options *options,
+                             struct branch *b)
 {
-    enum { HALVES = 52 };
-    const struct box w = plane_study_box(f->s), far = f->system->domain;
-    const struct vec2 room = vec2_scale(0.0625, f->s->scale.side);
-    const struct box window = {
-        { fmax(far.lo.x, w.lo.x - room.x), fmax(far.lo.y, w.lo.y - room.y) },
-        { fmin(far.hi.x, w.hi.x + room.x), fmin(far.hi.y, w.hi.y + room.y) }
-    };
+    const struct box w = plane_study_box(f->s);
     struct half *h = &f->half[b->side < 0];
     struct planar near = *f->system;
+    struct grow_options o = *options;
     enum status status = STATUS_OK;
 
-    for (int i = 0;
-         i < HALVES && status == STATUS_OK && h->lost && b->curve.count > 1 &&
-         box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)));
-         i++) {
+    near.domain = about_window(f);
+    while (status == STATUS_OK && h->lost && b->curve.count > 1 &&
+           box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)))) {
         const int side = b->side;
-        if (i == 0)
-            near.domain = window;
-        else
-            clip(f, b, &near.domain);
         branch_free(b);
         *h = (struct half){ .end = -1 };
-        status = grow_branch(&near, u, side, o, b);
-        if (status != STATUS_OK || h->lost || h->end >= 0 ||
-            b->end != BRANCH_DOMAIN)
+        status = grow_branch(&near, u, side, &o, b);
+        if (status != STATUS_OK)
+            break;
+        if (h->lost) {
+            o.longest = 0.5 * last_extent(b);
             continue;
+        }
+        if (h->end >= 0 || b->end != BRANCH_DOMAIN)
+            break;
         look_for_trap(f->s, f->backward, vec2_add(f->from->z, on_last(b, 1.0)),
                       h);
         h->lost = true; /* from there on */
