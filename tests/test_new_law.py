@@ -183,7 +183,7 @@ def a_command_is_one_file_and_two_rows(room):
             room.write(f'apps/{block.name}', block.text)
             files += 1
         elif block.language == 'console':
-            build(room, of_a_command, 40)
+            build(room, of_a_command, 30)
             reader.run(block)
     expect((files, rows) == (1, 2) and reader.did >= 5, files, rows)
 
