@@ -132,53 +132,53 @@ static void field_and_gradients_are_those_of_the_formulas(void **state)
     }
 }
 
-/* Differences of two products that are not 0 there, beside what makes up for
- * them. */
+/* Differences of two products that are not 0 at `at`, an equilibrium, beside
+ * what makes up for them. */
+static const struct {
+    struct plane_case of;
+    double at[2];
+} balanced[] = {
+    { { { "x*(2*y/(1 + y) - 0.4*x - 0.3)", "y*(2*x/(1 + x) - 0.4*y - 0.3)" },
+        "1",
+        { 1, 1 },
+        { .01, .01 },
+        { 8, 8 } },
+      { 0.25, 0.25 } },
+    { { { "x*y - 3*y^2/x - x + 3", "2*x*y - y/x - 3*x + 4/(x + y)" },
+        "1",
+        { 1, 1 },
+        { .1, .1 },
+        { 3, 3 } },
+      { 1, 1 } },
+    { { { "(x*y - 4*y/x)^3 + 27", "sinh(x^2 - 2*y/x + 1)/x" },
+        "1",
+        { 1, 1 },
+        { .2, .2 },
+        { 2, 2 } },
+      { 1, 1 } },
+    { { { "3*exp(x - y) - x*exp(y - 1) - 2", "1/(x*y - 2*x) + x^2*y" },
+        "1",
+        { 1, 1 },
+        { .2, .2 },
+        { 1.9, 1.9 } },
+      { 1, 1 } },
+    { { { "x - y", "(x*y - 3*x)*(x/y - y) - 2 + (x - y)/x" },
+        "1",
+        { 1, 1 },
+        { .1, .1 },
+        { 3, 3 } },
+      { 2, 2 } },
+};
+
 static void about_an_equilibrium_fields_are_those_of_the_formulas(void **state)
 {
-    static const struct {
-        struct plane_case of;
-        double at[2];
-    } cases[] = {
-        { { { "x*(2*y/(1 + y) - 0.4*x - 0.3)",
-              "y*(2*x/(1 + x) - 0.4*y - 0.3)" },
-            "1",
-            { 1, 1 },
-            { .01, .01 },
-            { 8, 8 } },
-          { 0.25, 0.25 } },
-        { { { "x*y - 3*y^2/x - x + 3", "2*x*y - y/x - 3*x + 4/(x + y)" },
-            "1",
-            { 1, 1 },
-            { .1, .1 },
-            { 3, 3 } },
-          { 1, 1 } },
-        { { { "(x*y - 4*y/x)^3 + 27", "sinh(x^2 - 2*y/x + 1)/x" },
-            "1",
-            { 1, 1 },
-            { .2, .2 },
-            { 2, 2 } },
-          { 1, 1 } },
-        { { { "3*exp(x - y) - x*exp(y - 1) - 2", "1/(x*y - 2*x) + x^2*y" },
-            "1",
-            { 1, 1 },
-            { .2, .2 },
-            { 1.9, 1.9 } },
-          { 1, 1 } },
-        { { { "x - y", "(x*y - 3*x)*(x/y - y) - 2 + (x - y)/x" },
-            "1",
-            { 1, 1 },
-            { .1, .1 },
-            { 3, 3 } },
-          { 2, 2 } },
-    };
     uint64_t seed = check_seed();
 
     (void) state;
     for (int n = 0; n < 200; n++) {
-        const size_t i = (size_t) n % (sizeof cases / sizeof *cases);
-        const struct plane_case *c = &cases[i].of;
-        const quad at[2] = { logq(cases[i].at[0]), logq(cases[i].at[1]) };
+        const size_t i = (size_t) n % (sizeof balanced / sizeof *balanced);
+        const struct plane_case *c = &balanced[i].of;
+        const quad at[2] = { logq(balanced[i].at[0]), logq(balanced[i].at[1]) };
         double to[2];
         draw(c, &seed, to);
         make(c->rate, c->positive, c->observable, true, at);
