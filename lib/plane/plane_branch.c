@@ -344,6 +344,7 @@ static enum status go_nearer(struct following *f, const struct local_series *u,
     enum status status = STATUS_OK;
 
     near.domain = about_window(f);
+    o.longest = HUGE_VAL;
     while (status == STATUS_OK && h->lost && b->curve.count > 1 &&
            box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)))) {
         const int side = b->side;
@@ -353,7 +354,7 @@ static enum status go_nearer(struct following *f, const struct local_series *u,
         if (status != STATUS_OK)
             break;
         if (h->lost) {
-            o.longest = 0.5 * last_extent(b);
+            o.longest = 0.5 * fmin(o.longest, last_extent(b));
             continue;
         }
         if (h->end >= 0 || b->end != BRANCH_DOMAIN)
