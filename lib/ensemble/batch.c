@@ -11,6 +11,7 @@
 #include "batch_goal.h"
 #include "batch_keys.h"
 #include "batch_points.h"
+#include "batch_words.h"
 #include "ensemble_tolerance.h"
 #include "scene_parameter.h"
 #include "study_results.h"

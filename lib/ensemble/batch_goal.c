@@ -2,41 +2,11 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "batch_words.h"
 #include "plane_answer.h"
 #include "tolerance.h"
-
-/* ---- words --------------------------------------------------------------- */
-
-void batch_words_free(struct batch_words *w)
-{
-    for (size_t i = 0; i < w->count; i++)
-        free(w->text[i]);
-    w->count = 0;
-}
-
-/* The same text, that stays; beyond the room for them one for all others;
- * NULL: no memory. */
-static const char *keep(struct batch_words *w, const char *text)
-{
-    const char *kept = "others";
-    size_t i = 0;
-
-#pragma omp critical(batch_words)
-    {
-        while (i < w->count && strcmp(w->text[i], text) != 0)
-            i++;
-        if (i == w->count && i < REASONS_MAX && (w->text[i] = strdup(text)))
-            w->count++;
-        if (i < REASONS_MAX)
-            kept = i < w->count ? w->text[i] : NULL;
-    }
-    return kept;
-}
-
-/* ---- states -------------------------------------------------------------- */
 
 static const struct plane_rest *rest_of(const struct plane_study *s,
                                         const char *name)
@@ -95,7 +65,7 @@ static enum status find(const struct batch *b, const struct plane_study *s,
         return status;
     f->fate[i] = there ? 0 : -1;
     f->margin[i] = there ? margin_of(s, &a) : HUGE_VAL;
-    f->reason[i] = keep(b->words, there ? a.attractor : why);
+    f->reason[i] = batch_words_keep(b->words, there ? a.attractor : why);
     return f->reason[i] ? STATUS_OK : STATUS_NO_MEMORY;
 }
 

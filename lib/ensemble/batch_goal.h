@@ -3,15 +3,6 @@
 
 #include "batch.h"
 #include "sweep_point.h"
-#include "sweep_reason.h"
-
-/* Attractors' names, which outlive the draws that had them. */
-struct batch_words {
-    char *text[REASONS_MAX]; /* owned */
-    size_t count;
-};
-
-void batch_words_free(struct batch_words *w);
 
 /* Those of all b->push into f[pushes] at draw i, whose basins the point's study
  * knows (plane_answer.h): fate 0, the reason being the attractor's name; or -1
