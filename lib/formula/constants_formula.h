@@ -109,6 +109,8 @@ static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
             return 1 - u < part * part;
         case FUNCTION_TAN:
             return size < part * u || part * size > 1;
+        case FUNCTION_POWER: /* u's rounding w times */
+            return part * w > 1;
         default:
             return size < part * u && size > 0;
     }
