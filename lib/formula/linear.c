@@ -169,7 +169,14 @@ struct linear linear_grown(struct forms *s, const struct linear *u)
 
 int linear_value(struct forms *s, const struct linear *u)
 {
-    return emit_form(s, STEP_LINEAR, u, u->constant);
+    const struct linear grown = linear_grown(s, u);
+    const struct formula_node *near = &s->f->node[u->constant],
+                              *far = &s->f->node[grown.constant];
+    const bool less = far->kind == FORMULA_NUMBER &&
+                      far->number * far->number < near->number * near->number;
+    const struct linear *by = less ? &grown : u;
+
+    return emit_form(s, STEP_LINEAR, by, by->constant);
 }
 
 /* ---- at the anchor ------------------------------------------------------- */
