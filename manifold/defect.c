@@ -44,7 +44,7 @@ static struct defect_slope slope_of(int ind, struct vec2 z,
 {
     const struct vec2 f = J->field.direction;
     const struct mat2 m = J->matrix;
-    const double slope = ind == 0 ? f.y / f.x : f.x / f.y;
+    const double slope = local_quotient(ind, f);
     struct defect_slope s = { .ind = ind, .slope = slope };
 
     if (ind == 0) {

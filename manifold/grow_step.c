@@ -136,13 +136,6 @@ static void integrals_at_ends(struct grower *const g[], size_t n, size_t k)
         g[i]->integral_end[k] = end[i];
 }
 
-static double slope_of(const struct grower *g, const struct planar_field *f)
-{
-    const struct vec2 d = f->direction;
-
-    return g->ind == 0 ? d.y / d.x : d.x / d.y;
-}
-
 /* Those whose ends say little, on the way; what is off there counts. */
 static void look_on_the_way(struct grower *const g[], size_t n)
 {
@@ -162,10 +155,12 @@ static void look_on_the_way(struct grower *const g[], size_t n)
         struct grower *of = g[i / PARTS];
         if (!of->holds)
             continue;
-        slope_holds(of, of->dep_end.slope, slope_of(of, &of->end.J.field),
+        slope_holds(of, of->dep_end.slope,
+                    local_quotient(of->ind, of->end.J.field.direction),
                     &at_end);
-        of->holds =
-            slope_holds(of, end[i].slope, slope_of(of, &seen[i].J.field), &off);
+        of->holds = slope_holds(
+            of, end[i].slope,
+            local_quotient(of->ind, seen[i].J.field.direction), &off);
         if (off > TOL_CLEARLY * at_end)
             of->kink = fmax(of->kink, off);
     }
@@ -200,7 +195,8 @@ void grow_step_try(struct grower *const g[], size_t n)
 
     grow_step_look(g, n);
     for (size_t i = 0; i < n; i++) {
-        const double field = slope_of(g[i], &g[i]->end.J.field);
+        const double field =
+            local_quotient(g[i]->ind, g[i]->end.J.field.direction);
         g[i]->kink = 0.0;
         g[i]->holds = slope_holds(g[i], g[i]->dep_end.slope, field, &off);
         if (g[i]->holds && is_doubtful(g[i], field))

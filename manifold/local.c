@@ -110,8 +110,7 @@ double local_slope(const struct planar *sys, int ind, struct vec2 z)
     struct planar_field f;
 
     sys->field(sys->ctx, z, &f);
-    return ind == 0 ? f.direction.y / f.direction.x
-                    : f.direction.x / f.direction.y;
+    return local_quotient(ind, f.direction);
 }
 
 struct vec2 local_series_at(const struct local_series *u, double s)
@@ -252,7 +251,7 @@ enum status local_over(const struct planar *sys, const struct equilibrium *e,
     if (equilibrium_is_beyond(e))
         return STATUS_NOT_HYPERBOLIC;
     const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
-    const double slope = ind == 0 ? v.y / v.x : v.x / v.y;
+    const double slope = local_quotient(ind, v);
     if (!isfinite(slope))
         return STATUS_NO_CONVERGENCE;
     out->ind = ind;

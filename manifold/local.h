@@ -58,7 +58,11 @@ MUST_CHECK enum status local_over(const struct planar *sys,
                                   const struct carry *carry, size_t order,
                                   double tol, struct local_series *out);
 
-/* dep's derivative by ind from the field at z: f_dep / f_ind. */
+/* dep's derivative by ind along a direction, and along the field at z. */
+static inline double local_quotient(int ind, struct vec2 d)
+{
+    return ind == 0 ? d.y / d.x : d.x / d.y;
+}
 double local_slope(const struct planar *sys, int ind, struct vec2 z);
 
 /* The point of the plane with the given coordinates. */
