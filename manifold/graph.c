@@ -2,8 +2,8 @@
 
 #include <math.h>
 
+#include "graph_kernels.h"
 #include "graph_lanes.h"
-#include "graph_step.h"
 #include "tolerance.h"
 
 size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
@@ -26,18 +26,18 @@ size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
 }
 
 /* By registers that suit n, *some at a time. */
-static const struct graph_step *step_of(size_t n, size_t *some)
+static const struct graph_kernels *step_of(size_t n, size_t *some)
 {
 #ifdef HAVE_WIDE_LANES
     const int width = jet_width();
 
     if (n > 2 && width > 2) {
         *some = n < JET_MANY ? n : JET_MANY;
-        return width == 8 ? &graph_step_8 : &graph_step_4;
+        return width == 8 ? &graph_kernels_8 : &graph_kernels_4;
     }
 #endif
     *some = n < 2 ? n : 2;
-    return &graph_step_2;
+    return &graph_kernels_2;
 }
 
 void graph_reach(size_t order, size_t n, const double *const u[],

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "block.h"
-#include "graph_step.h"
+#include "graph_kernels.h"
 #include "laws.h"
 #include "tape_plane.h"
 
@@ -195,7 +195,8 @@ static double plain_reach(size_t order, const double u[], double to)
 }
 
 /* n series by `step`. */
-static void check_steps(const struct graph_step *step, size_t n, uint64_t *rng)
+static void check_steps(const struct graph_kernels *step, size_t n,
+                        uint64_t *rng)
 {
     const size_t order = 4 + (size_t) check_uniform(rng, 0.0, JET_SIZE - 4);
     double series[JET_MANY][JET_SIZE], s[JET_MANY], to[JET_MANY],
@@ -230,12 +231,12 @@ static void ends_and_reaches_are_those_of_each_alone(void **state)
 
     (void) state;
     for (size_t i = 0; i < 4000; i++) {
-        check_steps(&graph_step_2, 1 + i % 2, &rng);
+        check_steps(&graph_kernels_2, 1 + i % 2, &rng);
 #ifdef HAVE_WIDE_LANES
         if (jet_width() >= 4)
-            check_steps(&graph_step_4, 1 + i % JET_MANY, &rng);
+            check_steps(&graph_kernels_4, 1 + i % JET_MANY, &rng);
         if (jet_width() >= 8)
-            check_steps(&graph_step_8, 1 + i % JET_MANY, &rng);
+            check_steps(&graph_kernels_8, 1 + i % JET_MANY, &rng);
 #endif
     }
 }

@@ -1,6 +1,6 @@
-/* One source, once for each width of the processor's registers: GRAPH_STEP is
- * the name, JET_LANES how many series. */
-#include "graph_step.h"
+/* One source, once for each width of the processor's registers: GRAPH_KERNELS
+ * is the name, JET_LANES how many series. */
+#include "graph_kernels.h"
 
 #include <math.h>
 
@@ -104,4 +104,4 @@ static void ends(size_t order, size_t n, const double *const u[],
                                      before[l] };
 }
 
-const struct graph_step GRAPH_STEP = { reach, ends };
+const struct graph_kernels GRAPH_KERNELS = { reach, ends };
