@@ -67,7 +67,7 @@ struct panels {
 struct figure *panels_add(struct panels *p, const char *name);
 
 /* Draws the files of a figure on that paper, all or none, says so, and frees p.
- * Errors as figure_write. */
+ * Errors as figures_write. */
 MUST_CHECK enum status output_draw(const struct options *o,
                                    const struct scene_figure *paper,
                                    struct panels *p, const char *path,

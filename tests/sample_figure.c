@@ -125,3 +125,9 @@ void sample_portrait(struct figure *f, const char *title)
     sample_mark(f, FIGURE_DISC, "node", 1e4, 3e-2);
     sample_mark(f, FIGURE_CIRCLE, "saddle", 1, 1);
 }
+
+enum status sample_draw(const struct figure *f, const char *path,
+                        bool keep_script, struct fault *fault)
+{
+    return figures_write(f, &path, 1, keep_script, fault);
+}

@@ -6,7 +6,7 @@
 #ifndef TESTS_SAMPLE_FIGURE_H
 #define TESTS_SAMPLE_FIGURE_H
 
-#include "figure.h"
+#include "draw.h"
 
 extern const struct figure_axis sample_v, sample_psi;
 
@@ -14,5 +14,9 @@ void sample_portrait(struct figure *f, const char *title);
 
 void sample_mark(struct figure *f, enum figure_mark mark, const char *entry,
                  double x, double y);
+
+/* figures_write of one. */
+MUST_CHECK enum status sample_draw(const struct figure *f, const char *path,
+                                   bool keep_script, struct fault *fault);
 
 #endif

@@ -365,17 +365,6 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
     turn_across(d, c->dim);
 }
 
-void drift_cross(struct drift *d, size_t which, size_t dim)
-{
-    double row[CURVE_DIM_MAX] = { 0.0 };
-
-    row[which] = 1.0 / d->du[which];
-    project(d, row, which + 1, dim);
-    d->e[which] = d->lost[which] = 0.0;
-    for (size_t i = 0; i < dim; i++)
-        d->noise[i][which] = d->noise[which][i] = 0.0;
-}
-
 /* ---- the end ------------------------------------------------------------- */
 
 /* F, of the header. */

@@ -37,10 +37,6 @@ void drift_start(struct drift *d, double rounding, double rate);
 void drift_carry(struct drift *d, const struct rescaled *clock,
                  const struct curve *c, double h, const double missed[]);
 
-/* Leaves of *d what an orbit with `dim` components is off where component
- * `which` has its value.  Along its way it only comes earlier or later. */
-void drift_cross(struct drift *d, size_t which, size_t dim);
-
 /* A bound, with what rounding does, on how far component i is off where a
  * function of the chart with this gradient has its value: what is off along the
  * orbit only comes earlier or later. */

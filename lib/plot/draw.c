@@ -339,9 +339,3 @@ enum status figures_write(const struct figure f[], const char *const path[],
         workshop_close(&w[i]);
     return s;
 }
-
-enum status figure_write(const struct figure *f, const char *path,
-                         bool keep_script, struct fault *fault)
-{
-    return figures_write(f, &path, 1, keep_script, fault);
-}

@@ -1,14 +1,14 @@
-/* draw.h -- a figure into a file. */
+/* draw.h -- figures into files. */
 #pragma once
 
 #include "figure.h"
 
 /*
- * Draws the figure into `path`, whose ending chooses the format: .svg, .pdf or
- * .png, each as large as the page says.  With keep_script, NAME.gp and NAME.dat
- * stay beside NAME.svg, so that `gnuplot -d NAME.gp` in that folder draws it
- * again, but for its size on paper; NAME.dat holds the clipped curves, thinned
- * where no eye could tell.
+ * Draws f[i] into path[i], whose ending chooses the format: .svg, .pdf or .png,
+ * each as large as the page says; all are made before any is moved.  With
+ * keep_script, NAME.gp and NAME.dat stay beside NAME.svg, so that `gnuplot -d
+ * NAME.gp` in that folder draws it again, but for its size on paper; NAME.dat
+ * holds the clipped curves, thinned where no eye could tell.
  *
  * Everything is made in a temporary folder beside the target and moved into
  * place at the end, the figure first: a failure leaves no partial file, and
@@ -22,10 +22,6 @@
  * STATUS_NO_GNUPLOT: gnuplot is missing or failed.
  * STATUS_NO_MEMORY, or what else the figure remembers.
  */
-MUST_CHECK enum status figure_write(const struct figure *f, const char *path,
-                                    bool keep_script, struct fault *fault);
-
-/* The same of several, f[i] into path[i]: all are made before any is moved. */
 enum { FIGURES_MAX = 8 };
 MUST_CHECK enum status figures_write(const struct figure f[],
                                      const char *const path[], size_t count,

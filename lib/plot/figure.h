@@ -14,7 +14,7 @@
  * has thicker lines.
  *
  * A figure remembers its first failure, after which nothing is added, and
- * figure_write returns it: what builds one need not ask.
+ * figures_write returns it: what builds one need not ask.
  */
 #pragma once
 

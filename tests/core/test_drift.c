@@ -123,37 +123,6 @@ static void what_is_not_known_of_the_start_grows_with_the_orbit(void **state)
     orbit_free(&o);
 }
 
-/* Whatever runs on: what is off at a place is off there still, but for the root
- * of a rounding. */
-static void crossing_a_place_changes_no_bar_there(void **state)
-{
-    uint64_t rng = check_seed() + 5;
-
-    (void) state;
-    for (int i = 0; i < 200; i++) {
-        const size_t which = (size_t) i % 2;
-        double bar[4];
-        struct drift d;
-        drift_start(&d, 0.0, 0.0);
-        for (int j = 0; j < 4; j++) {
-            d.du[j] = check_uniform(&rng, 0.1, 1.0);
-            d.e[j] = check_uniform(&rng, -1.0, 1.0);
-            for (int k = 0; k <= j; k++)
-                d.noise[j][k] = d.noise[k][j] =
-                    (j == k ? 3.0 : 0.0) + check_uniform(&rng, -0.5, 0.5);
-        }
-        for (size_t j = 0; j < 4; j++)
-            bar[j] = drift_bar_at(&d, which, j);
-        drift_cross(&d, which, 4);
-        assert_true(d.e[which] == 0.0 && d.noise[which][which] == 0.0);
-        for (size_t j = 0; j < 4; j++) {
-            const double now = drift_bar_at(&d, which, j);
-            CHECK(fabs(now - bar[j]) <= 1e-6 * (1.0 + bar[j]), "%zu: %g, %g", j,
-                  bar[j], now);
-        }
-    }
-}
-
 /* x loses less than half of its last digit on a step: all leave it where it
  * is, which no step's own estimate tells. */
 static void what_is_beside_an_orbit_counts_rounding_to_one_side(void **state)
@@ -185,7 +154,6 @@ int main(void)
         cmocka_unit_test(what_is_beside_an_orbit_counts_rounding_to_one_side),
         cmocka_unit_test(steps_short_of_a_last_digit_are_seen_to_be_lost),
         cmocka_unit_test(what_is_not_known_of_the_start_grows_with_the_orbit),
-        cmocka_unit_test(crossing_a_place_changes_no_bar_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@ static char *drawn(const struct figure *f, const char *file)
 {
     struct fault fault = { "" };
     size_t size;
-    const enum status s = figure_write(f, own_path("p.svg"), true, &fault);
+    const enum status s = sample_draw(f, own_path("p.svg"), true, &fault);
 
     CHECK(s == STATUS_OK, "%s", fault.text);
     return file_read(own_path(file), &size);

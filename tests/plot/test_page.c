@@ -30,7 +30,7 @@ static struct bytes drawn(const struct figure *f, const char *name,
 {
     struct fault fault = { "" };
     struct bytes b;
-    const enum status s = figure_write(f, own_path(name), true, &fault);
+    const enum status s = sample_draw(f, own_path(name), true, &fault);
     CHECK(s == STATUS_OK, "%s", fault.text);
     b.at = file_read(own_path(file), &b.size);
     return b;
@@ -161,7 +161,7 @@ static void a_page_without_room_is_refused(void **state)
 
     sample_portrait(&f, "A saddle");
     f.page = (struct figure_page){ .width = 30, .type = 30, .dpi = 300 };
-    assert_int_equal(figure_write(&f, own_path("q.svg"), false, &fault),
+    assert_int_equal(sample_draw(&f, own_path("q.svg"), false, &fault),
                      STATUS_BAD_ARGUMENT);
     CHECK(strstr(fault.text, "30 mm") && strstr(fault.text, "30 pt"), "%s",
           fault.text);

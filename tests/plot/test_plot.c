@@ -95,7 +95,7 @@ static void each_format_is_what_its_name_says(void **state)
     sample_portrait(&f, "A saddle");
     for (size_t k = 0; k < 3; k++) {
         const char *path = place_path(p, formats[k]);
-        check_ok(figure_write(&f, path, false, &fault), &fault);
+        check_ok(sample_draw(&f, path, false, &fault), &fault);
         struct bytes b = read_file(path);
         CHECK(memcmp(b.at, starts[k], strlen(starts[k])) == 0, "%s", path);
         CHECK(b.size > 10000, "%zu bytes", b.size);
@@ -116,7 +116,7 @@ static void the_same_figure_gives_the_same_bytes(void **state)
         for (int i = 0; i < 2; i++) {
             if (i == 1 && k == 1)
                 sleep(1); /* a PDF knows the second it was made in */
-            check_ok(figure_write(&f, place_path(p, formats[k]), false, &fault),
+            check_ok(sample_draw(&f, place_path(p, formats[k]), false, &fault),
                      &fault);
             b[i] = read_file(p->path);
         }
@@ -135,7 +135,7 @@ static void a_kept_script_redraws_the_figure(void **state)
     struct figure f;
     struct fault fault = { "" };
     sample_portrait(&f, "A saddle");
-    check_ok(figure_write(&f, place_path(p, "it's.svg"), true, &fault), &fault);
+    check_ok(sample_draw(&f, place_path(p, "it's.svg"), true, &fault), &fault);
     CHECK(place_count(p, false) == 3, "%d files", place_count(p, false));
     struct bytes before = read_file(place_path(p, "it's.svg"));
     remove(p->path);
@@ -167,9 +167,9 @@ static void a_text_is_never_a_command_nor_markup(void **state)
     f.page.width *= 2;
     f.page.height *= 1.5;
     f.page.legend = FIGURE_LEGEND_BELOW;
-    check_ok(figure_write(&f, place_path(p, "|touch z;`touch z`.svg"), false,
-                          &fault),
-             &fault);
+    check_ok(
+        sample_draw(&f, place_path(p, "|touch z;`touch z`.svg"), false, &fault),
+        &fault);
     CHECK(place_count(p, false) == 1, "%d files", place_count(p, false));
     CHECK(access("x", F_OK) && access("y", F_OK) && access("z", F_OK), "ran");
     struct bytes b = read_file(p->path);
@@ -187,7 +187,7 @@ static void bytes_that_are_no_text_still_give_a_figure(void **state)
     struct figure f;
     struct fault fault = { "" };
     figure_init(&f, "a\xff\x01\xc3(\xed\xa0\x80z", &sample_v, &sample_psi);
-    check_ok(figure_write(&f, place_path(p, "p.svg"), false, &fault), &fault);
+    check_ok(sample_draw(&f, place_path(p, "p.svg"), false, &fault), &fault);
     struct bytes b = read_file(p->path);
     CHECK(strstr(b.at, "a? ?(???z"), "title");
     test_free(b.at);
@@ -206,7 +206,7 @@ static void curves_end_at_the_frame_and_break_at_nan(void **state)
     figure_add(&f,
                &(struct figure_layer){
                    .style.role = FIGURE_STABLE, .x = x, .y = y, .count = 8 });
-    check_ok(figure_write(&f, place_path(p, "p.svg"), true, &fault), &fault);
+    check_ok(sample_draw(&f, place_path(p, "p.svg"), true, &fault), &fault);
     struct bytes b = read_file(place_path(p, "p.dat"));
     CHECK(strstr(b.at, "\n0 0.25\n0.5 0.25\n\n0.5 0.75\n1 0.75\n\n"
                        "0.2 0.1\n0.3 0.1\n"),
@@ -225,7 +225,7 @@ static void a_map_shows_its_scale(void **state)
     const struct figure_map map = { value, 3,   2, { "slip / L", 0, 0, true },
                                     false, NULL };
     figure_add_map(&f, &map);
-    check_ok(figure_write(&f, place_path(p, "p.svg"), true, &fault), &fault);
+    check_ok(sample_draw(&f, place_path(p, "p.svg"), true, &fault), &fault);
     struct bytes b = read_file(p->path);
     CHECK(strstr(b.at, "slip / L") && strstr(b.at, "<image"), "no bar");
     test_free(b.at);
@@ -245,7 +245,7 @@ static void every_line_of_the_legend_appears_once(void **state)
     struct figure f;
     struct fault fault = { "" };
     sample_portrait(&f, NULL);
-    check_ok(figure_write(&f, place_path(p, "p.svg"), false, &fault), &fault);
+    check_ok(sample_draw(&f, place_path(p, "p.svg"), false, &fault), &fault);
     struct bytes b = read_file(p->path);
     char *first = strstr(b.at, ">trajectories</text>");
     CHECK(first && !strstr(first + 1, ">trajectories</text>"), "trajectories");
@@ -262,7 +262,7 @@ static void expect(struct place *p, const struct figure_axis *x,
     struct fault fault = { "" };
     const int before = place_count(p, false);
     figure_init(&f, "t", x, x);
-    const enum status s = figure_write(&f, path, true, &fault);
+    const enum status s = sample_draw(&f, path, true, &fault);
     CHECK(s == wanted, "%s: %s", status_text(s), fault.text);
     CHECK(strstr(fault.text, word), "%s", fault.text);
     CHECK(!strchr(fault.text, '\n'), "%s", fault.text);
@@ -354,7 +354,7 @@ static enum status portrait_failing_at(struct place *p, int k)
     fault_alloc_at(k);
     sample_portrait(&f, "A saddle");
     const enum status s =
-        figure_write(&f, place_path(p, "p.pdf"), false, &fault);
+        sample_draw(&f, place_path(p, "p.pdf"), false, &fault);
     figure_free(&f);
     figure_free(&f);
     fault_alloc_at(FAULT_ALLOC_NEVER);
@@ -403,9 +403,8 @@ static void a_figure_remembers_its_first_failure(void **state)
         figure_add_map(&f, &map);
         assert_int_equal(f.layer_count, 0);
         assert_ptr_equal(f.raster, first);
-        assert_int_equal(
-            figure_write(&f, place_path(p, "p.svg"), false, &fault),
-            STATUS_NO_MEMORY);
+        assert_int_equal(sample_draw(&f, place_path(p, "p.svg"), false, &fault),
+                         STATUS_NO_MEMORY);
         CHECK(strstr(fault.text, "p.svg"), "%s", fault.text);
         figure_free(&f);
     }
