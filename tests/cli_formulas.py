@@ -161,13 +161,30 @@ def a_straight_line_ends_where_it_comes_to_rest(room):
         expect(is_near(share['fraction'], 0.5, 1e-12), share)
 
 
+EPIDEMIC = """system:
+  state: {s: real, i: real}
+  rates:
+    s: "1-0.5*s*i-0.1*s"
+    i: "0.5*s*i-i-2*i/(1+2*i)"
+window: {s: [0, 12], i: [-0.2, 6]}
+"""
+
+
 def where_branches_end_does_not_hang_on_the_accuracy(room):
-    for ode in ("x' = y; y' = x - x^3 - 0.2*y + 0.1",
-                "x' = 0.3*sin(3*y) + x - x^3; y' = 0.2*cos(2*x) - 0.2 + y - y^3"):
+    for ode, window in (
+            ("x' = y; y' = x - x^3 - 0.2*y + 0.1", 'x=-2:2,y=-2:2'),
+            ("x' = 0.3*sin(3*y) + x - x^3; y' = 0.2*cos(2*x) - 0.2 + y - y^3", 'x=-2:2,y=-2:2'),
+            ("x' = x*(1 - 2*y) - x^2 + 0.001; y' = 0.5*y*(1 - y)*(5*x - 0.6)", 'x=-0.1:1.2,y=-0.1:1.1')):
         ends = [[(m['end'], m['to']) for m in room.json(
-            'portrait', '--ode', ode, '--window', 'x=-2:2,y=-2:2', '--rtol', rtol)['manifolds']]
+            'portrait', '--ode', ode, '--window', window, '--rtol', rtol)['manifolds']]
             for rtol in ('1e-4', '1e-7', '1e-12', '1e-13')]
         expect(ends[0] == ends[1] == ends[2] == ends[3], ode, ends)
+    straight = [end for end, to in ends[0] if to is None]
+    expect(straight.count('equilibrium') == 2 and 'edge' not in straight, ends[0])
+    room.write('a.yaml', EPIDEMIC)
+    for rtol in ('1e-3', '1e-12'):
+        ends = [(m['end'], m['to']) for m in room.json('portrait', 'a.yaml', '--rtol', rtol)['manifolds']]
+        expect(ends[3] == ('cycle', 0), rtol, ends)
 
 
 PHASES = """system:

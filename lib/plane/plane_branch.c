@@ -10,6 +10,7 @@
 #include "plane_defined.h"
 #include "plane_length.h"
 #include "plane_rest.h"
+#include "plane_slow.h"
 #include "plane_tolerance.h"
 #include "plane_weak.h"
 #include "tolerance.h"
@@ -43,6 +44,19 @@ struct following {
     struct half half[2];
 };
 
+/* At equilibrium i, which is d beside theta of the last piece. */
+static void end_at(const struct plane_study *s, struct half *h, size_t i,
+                   double theta, double d)
+{
+    const struct plane_rest *r = &s->rest[i];
+    const double side = fmax(s->scale.side.x, s->scale.side.y);
+
+    h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
+    h->to = i;
+    h->theta = theta;
+    h->beyond = 2.0 * d * side * plane_rest_turns(r);
+}
+
 /* Whether the piece ends at this equilibrium, before where it ended so far. */
 static void look_at(const struct following *f, struct half *h,
                     const struct branch *b, size_t i, double bar)
@@ -60,12 +74,8 @@ static void look_at(const struct following *f, struct half *h,
     const double d =
         arrival_nearest(&f->s->scale, &b->curve, b->curve.count - 1, f->from->z,
                         r->z, near, &theta);
-    if (h->theta < theta || !(d <= near))
-        return;
-    h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
-    h->to = i;
-    h->theta = theta;
-    h->beyond = 2.0 * d * fmax(side.x, side.y) * plane_rest_turns(r);
+    if (h->theta >= theta && d <= near)
+        end_at(f->s, h, i, theta, d);
 }
 
 /* Up to where the piece is a branch: from there on formulas may have no
@@ -143,73 +153,39 @@ static struct vec2 last_point(const struct plane_study *s,
              : s->rest[b->rest].z;
 }
 
-/* A branch that could not be followed to the end may have come into a trap. */
-static void look_for_trap(const struct plane_study *s, int backward,
-                          struct vec2 z, struct half *h)
+/* Whether it has left all that is looked at. */
+static bool is_infinite(const struct plane_branch *b, const struct half *h)
 {
+    return b->curve.end == BRANCH_DOMAIN && !h->lost;
+}
+
+/* A branch that could not be followed to the end may have come into a trap. */
+static void look_for_trap(const struct plane_study *s,
+                          const struct plane_branch *b, struct half *h)
+{
+    const bool backward = b->kind == MANIFOLD_STABLE;
+    const struct vec2 z = last_point(s, b);
+
     for (size_t i = 0; i < s->rests && h->end < 0; i++) {
         const struct trap_form *t = &s->rest[i].trap[backward];
         const double d = trap_form_distance(t, &s->scale, z);
-        if (!plane_rest_traps(s, &s->rest[i], backward, z))
-            continue;
-        h->end = PLANE_END_EQUILIBRIUM;
-        h->to = i;
-        h->theta = 1.0;
-        h->beyond = !(d < t->size)
-                        ? HUGE_VAL
-                        : 2.0 * d * fmax(s->scale.side.x, s->scale.side.y) *
-                              plane_rest_turns(&s->rest[i]);
+        if (plane_rest_traps(s, &s->rest[i], backward, z))
+            end_at(s, h, i, 1.0, d < t->size ? d : HUGE_VAL);
     }
 }
 
 /* ---- beyond the window --------------------------------------------------- */
 
-enum { LOOKS = 16 }; /* a piece */
-
-/* How fast the plane is at look n, of any curve: LOOKS a piece. */
-static double speed_at(const struct plane_study *s,
-                       const struct plane_branch *b, double look)
-{
-    const double piece =
-        fmin(floor(look / LOOKS), (double) b->curve.curve.count - 1.0);
-
-    return plane_study_speed(s, plane_length_point(b, s->rest[b->rest].z,
-                                                   (size_t) piece,
-                                                   look / LOOKS - piece));
-}
-
-/* The look at which it is slowest, within one of `look`. */
-static double slowest(const struct plane_study *s, const struct plane_branch *b,
-                      double look)
-{
-    double best = speed_at(s, b, look), width = 0.5;
-
-    for (int i = 0; i < 120; i++) {
-        const double at = look + (i % 2 ? width : -width);
-        const double speed = speed_at(s, b, at);
-        if (speed < best) {
-            best = speed;
-            look = at;
-        } else if (i % 2) {
-            width *= 0.5;
-        }
-    }
-    return look;
-}
-
 /* It ends where it comes to an equilibrium outside the window within its bar:
  * there rounding decides which way it goes on. */
 static enum status look_at_slow(struct plane_study *s, struct plane_branch *b,
-                                double look, struct half *h)
+                                size_t piece, double theta, struct half *h)
 {
     const struct vec2 origin = s->rest[b->rest].z, side = s->scale.side;
-    const double at = slowest(s, b, look);
-    const size_t piece = (size_t) (at / LOOKS);
     size_t i;
 
-    const enum status status = plane_rest_add(
-        s, plane_length_point(b, origin, piece, at / LOOKS - (double) piece),
-        &i);
+    const enum status status =
+        plane_rest_add(s, plane_length_point(b, origin, piece, theta), &i);
     if (status != STATUS_OK || i == s->rests)
         return status;
     const struct plane_rest *r = &s->rest[i];
@@ -218,53 +194,47 @@ static enum status look_at_slow(struct plane_study *s, struct plane_branch *b,
         4.0 *
         fmax((b->curve.curve.piece[piece].error + vec2_length(r->error)) / most,
              TOL_TOUCH);
-    double theta;
     const double d = arrival_nearest(&s->scale, &b->curve.curve, piece, origin,
                                      r->z, near, &theta);
     if (!(d <= near))
         return STATUS_OK;
-    h->end = r->type == PLANE_SADDLE ? PLANE_END_SADDLE : PLANE_END_EQUILIBRIUM;
-    h->to = i;
-    h->theta = theta;
-    h->beyond = 2.0 * d * fmax(side.x, side.y) * plane_rest_turns(r);
+    end_at(s, h, i, theta, d);
     b->curve.curve.count = piece + 1;
     return STATUS_OK;
 }
 
-/* One is looked for where the plane is slow, and slower than beside. */
+/* One is looked for where the plane is slow, and slower than beside, and where
+ * Newton's steps come to from the end, which may be in its trap. */
 static enum status look_outside(struct plane_study *s, struct plane_branch *b,
                                 struct half *h)
 {
-    const size_t looks = LOOKS * b->curve.curve.count;
-    double speed[3] = { 0.0, 0.0, 0.0 }, fastest = 0.0;
+    struct plane_slow slow = { .s = s, .b = b };
     enum status status = STATUS_OK;
+    double theta;
+    size_t at;
 
-    if (h->end >= 0 || h->broken ||
-        box_holds(plane_study_box(s), last_point(s, b)))
+    if (h->end >= 0 || box_holds(plane_study_box(s), last_point(s, b)))
         return STATUS_OK;
-    for (size_t n = 0; n < looks && h->end < 0 && status == STATUS_OK; n++) {
-        speed[0] = speed[1];
-        speed[1] = speed[2];
-        speed[2] = speed_at(s, b, (double) n);
-        fastest = fmax(fastest, speed[2]);
-        if (speed[1] < speed[0] && speed[1] < speed[2] &&
-            speed[1] < TOL_SEEN * fastest)
-            status = look_at_slow(s, b, (double) n - 1.0, h);
-    }
-    return status;
+    while (h->end < 0 && !h->broken && status == STATUS_OK &&
+           plane_slow_next(&slow, &at, &theta))
+        status = look_at_slow(s, b, at, theta, h);
+    return status || h->end >= 0 || is_infinite(b, h)
+               ? status
+               : look_at_slow(s, b, b->curve.curve.count - 1,
+                              h->broken ? h->theta : 1.0, h);
 }
 
 static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
                      struct half *h)
 {
-    if (h->end < 0 && !h->broken && b->curve.end != BRANCH_DOMAIN)
-        look_for_trap(s, b->kind == MANIFOLD_STABLE, last_point(s, b), h);
+    if (h->end < 0 && !is_infinite(b, h))
+        look_for_trap(s, b, h);
     if (h->end < 0 && b->curve.end == BRANCH_STEPS &&
         !plane_defined_near(s->plan, s, last_point(s, b)))
         h->end = PLANE_END_SINGULARITY;
     if (h->end >= 0)
         return h->end;
-    if (b->curve.end == BRANCH_DOMAIN && !h->lost)
+    if (is_infinite(b, h))
         return PLANE_END_INFINITY;
     return !box_holds(plane_study_box(s), last_point(s, b)) ? PLANE_END_EDGE
            : b->curve.end == BRANCH_STEPS                   ? PLANE_END_STEPS
@@ -317,54 +287,29 @@ static double last_extent(const struct branch *b)
     return fmax(fabs(d.x), fabs(d.y));
 }
 
-/* Just outside the window. */
-static struct box about_window(const struct following *f)
-{
-    const struct box w = plane_study_box(f->s), far = f->system->domain;
-    const struct vec2 room = vec2_scale(0.0625, f->s->scale.side);
-
-    return (struct box){
-        { fmax(far.lo.x, w.lo.x - room.x), fmax(far.lo.y, w.lo.y - room.y) },
-        { fmin(far.hi.x, w.hi.x + room.x), fmin(far.hi.y, w.hi.y + room.y) }
-    };
-}
-
 /* A branch that is lost on a piece that begins in the window is too far out on
  * it, or has run through an equilibrium, behind which it is none: it is grown
- * again to just outside the window, then by steps half as long as the one that
- * it is lost on, until it is not.  Else the lost piece is left out. */
+ * again by steps half as long as the one that it is lost on, until it is not.
+ * The lost piece is left out. */
 static enum status go_nearer(struct following *f, const struct local_series *u,
                              const struct grow_options *options,
                              struct branch *b)
 {
     const struct box w = plane_study_box(f->s);
     struct half *h = &f->half[b->side < 0];
-    struct planar near = *f->system;
     struct grow_options o = *options;
     enum status status = STATUS_OK;
 
-    near.domain = about_window(f);
     o.longest = HUGE_VAL;
     while (status == STATUS_OK && h->lost && b->curve.count > 1 &&
            box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)))) {
         const int side = b->side;
+        o.longest = 0.5 * fmin(o.longest, last_extent(b));
         branch_free(b);
         *h = (struct half){ .end = -1 };
-        status = grow_branch(&near, u, side, &o, b);
-        if (status != STATUS_OK)
-            break;
-        if (h->lost) {
-            o.longest = 0.5 * fmin(o.longest, last_extent(b));
-            continue;
-        }
-        if (h->end >= 0 || b->end != BRANCH_DOMAIN)
-            break;
-        look_for_trap(f->s, f->backward, vec2_add(f->from->z, on_last(b, 1.0)),
-                      h);
-        h->lost = true; /* from there on */
-        return STATUS_OK;
+        status = grow_branch(f->system, u, side, &o, b);
     }
-    b->curve.count -= h->lost && b->curve.count > 1;
+    b->curve.count -= status == STATUS_OK && h->lost && b->curve.count > 1;
     return status;
 }
 
@@ -432,15 +377,16 @@ static enum status grow_at(struct plane_study *s, int64_t saddle, size_t rest,
 }
 
 /* Whether how far it was followed may have decided where it ends. */
-static bool is_far(const struct plane_branch *b)
+static bool is_unsure(const struct plane_branch *b)
 {
-    return b->end == PLANE_END_EDGE ||
+    return b->end < 0 || b->end == PLANE_END_EDGE ||
+           b->end == PLANE_END_STEPS ||
            ((b->end == PLANE_END_EQUILIBRIUM || b->end == PLANE_END_SADDLE) &&
             b->to == RECORD_COUNT_NONE);
 }
 
-/* Where branches end outside the window is the same whatever accuracy is asked
- * for: as far as they are followed to TOL_RTOL_DEFAULT. */
+/* Where branches end is the same whatever accuracy is asked for: one of which
+ * that may not be so is the one to TOL_RTOL_DEFAULT. */
 static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
                         enum manifold_kind kind, const struct monitor *monitor)
 {
@@ -449,14 +395,15 @@ static enum status grow(struct plane_study *s, int64_t saddle, size_t rest,
         grow_at(s, saddle, rest, kind, s->scene->rtol, monitor);
 
     if (status != STATUS_OK || s->branches < n + 2 ||
-        !(is_far(&s->branch[n]) || is_far(&s->branch[n + 1])) ||
+        !(is_unsure(&s->branch[n]) || is_unsure(&s->branch[n + 1])) ||
         fabs(s->scene->rtol - TOL_RTOL_DEFAULT) < 0.5 * TOL_RTOL_DEFAULT)
         return status;
     status = grow_at(s, saddle, rest, kind, TOL_RTOL_DEFAULT, monitor);
     for (size_t i = n; i < n + 2 && i + 2 < s->branches; i++)
-        if (is_far(&s->branch[i])) {
-            s->branch[i].end = s->branch[i + 2].end;
-            s->branch[i].to = s->branch[i + 2].to;
+        if (is_unsure(&s->branch[i])) {
+            const struct plane_branch old = s->branch[i];
+            s->branch[i] = s->branch[i + 2];
+            s->branch[i + 2] = old;
         }
     while (s->branches > n + 2)
         branch_free(&s->branch[--s->branches].curve);

@@ -338,9 +338,8 @@ static void positive_states_are_logarithms(void **state)
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
-/* To an equilibrium outside of the window, which nobody looked for; and to
- * infinity. */
-static void ends_outside_are_edges_where_something_is_on_the_way(void **state)
+/* To an equilibrium outside of the window, and to infinity. */
+static void ends_outside_are_what_is_on_the_way(void **state)
 {
     struct plane_study s;
     struct scene c;
@@ -352,7 +351,7 @@ static void ends_outside_are_edges_where_something_is_on_the_way(void **state)
                   "products=[manifolds]\n");
         for (int k = 0; k < 2; k++) {
             assert_int_equal(plane_branch_of(&s, 0, MANIFOLD_UNSTABLE, k)->end,
-                             i ? PLANE_END_INFINITY : PLANE_END_EDGE);
+                             i ? PLANE_END_INFINITY : PLANE_END_EQUILIBRIUM);
             assert_int_equal(plane_branch_of(&s, 0, MANIFOLD_STABLE, k)->end,
                              PLANE_END_INFINITY);
         }
@@ -374,7 +373,7 @@ int main(void)
         TEST(manifolds_wind_on_to_a_cycle),
         TEST(systems_without_equilibria_are_studied),
         TEST(positive_states_are_logarithms),
-        TEST(ends_outside_are_edges_where_something_is_on_the_way),
+        TEST(ends_outside_are_what_is_on_the_way),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
