@@ -23,7 +23,6 @@ QUAD_UNARY(ceil);
 QUAD_UNARY(cosh);
 QUAD_UNARY(cos);
 QUAD_UNARY(expm1);
-QUAD_UNARY(exp);
 QUAD_UNARY(floor);
 QUAD_BINARY(hypot);
 QUAD_UNARY(log10);
@@ -35,6 +34,8 @@ QUAD_UNARY(sin);
 QUAD_UNARY(sqrt);
 QUAD_UNARY(tanh);
 QUAD_UNARY(tan);
+quad expq(quad x) __asm__("quad_exp"); /* quad_exp.c */
+quad quad_libm_exp(quad x) __asm__("expf128");
 quad strtof128(const char *text, char **end);
 int strfromf128(char *text, size_t size, const char *format, quad x);
 
