@@ -62,7 +62,8 @@ def thousands_of_damaged_files_end_in_a_line_at_worst(room):
     for name in names:
         room.write(name, mutated(whole, source))
     done = subprocess.run([REPLAY, *names], cwd=room.folder, timeout=300,
-                          env=room.environment(FUZZ_WHOLE='a.h5', **WATCHED),
+                          env=room.environment(FUZZ_WHOLE='a.h5', FUZZ_GROUP='32',
+                                           **WATCHED),
                           capture_output=True, text=True, check=False)
     expect(done.returncode == 0, done.stdout[-99:], done.stderr)
     for name in names[:50]:

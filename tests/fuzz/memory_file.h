@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The path of a file of these bytes and no others, always the same one; it is
- * removed when the program ends. */
+/* The path of a new file of these bytes, always the same one; it is removed
+ * when the program that asked first ends. */
 const char *memory_file(const uint8_t *data, size_t size);
 
 #endif
