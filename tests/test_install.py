@@ -471,19 +471,21 @@ def a_place_for_the_module_is_found_below_any_prefix(room):
 def pip_installs_it_without_a_network(room):
     with open(f'{room.source}/README.md', encoding='utf-8') as file:
         expect('    pip install ./lib/python\n' in file.read(), 'README')
-    ran([READER, '-m', 'venv', '--system-site-packages', room.path('v')])
+    ran([READER, '-m', 'venv', '--system-site-packages', '--without-pip',
+         room.path('v')])
+    pip = [READER, '-m', 'pip', '--python', room.path('v/bin/python')]
     library = os.path.join(BUILD, 'lib', 'libslipway.so.0')
-    ran([room.path('v/bin/pip'), 'install', '--no-index', '--quiet',
+    ran([*pip, 'install', '--no-index', '--quiet',
          f'{room.source}/lib/python'], env=bare(SLIPWAY_LIBRARY=library))
     code = ('import slipway; print(slipway._c.find()); '
             'print(slipway.Study("dieterich_gen", 0.34).v_plus)')
     said = ran([room.path('v/bin/python'), '-c', code], env=bare())
     expect(said.startswith(room.path('v/lib')) and '\n2832.223358' in said, said)
-    listed = ran([room.path('v/bin/pip'), 'list'], env=bare())
+    listed = ran([*pip, 'list'], env=bare())
     expect(re.search(r'^slipway +' + room.good('--version').split()[1], listed,
                      re.M), listed)
     done = subprocess.run(
-        [room.path('v/bin/pip'), 'wheel', '--no-index', '-w', room.folder,
+        [*pip, 'wheel', '--no-index', '-w', room.folder,
          f'{room.source}/lib/python'], text=True, capture_output=True,
         env=bare(SLIPWAY_LIBRARY='/nowhere.so'), check=False)
     expect(done.returncode != 0 and
