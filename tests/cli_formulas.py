@@ -70,8 +70,8 @@ def spent_steps_are_a_reason_and_no_end(room):
     room.bring('scenes')
     found = room.json('knees', 'scenes/nagata.yaml')
     expect(found['v_minus']['reason'] == 'the lower branch ' + many, found['v_minus'])
-    found = room.json('portrait', '--ode', "x' = y; y' = x - x^3 - 1e-5*y", '--window',
-                      'x=-2:2,y=-2:2')
+    found = room.json('portrait', '--ode', "x' = y; y' = x - x^2 - 1e-5*y", '--window',
+                      'x=-1:2,y=-2:2')
     expect('steps' in [one['end'] for one in found['manifolds']], found['manifolds'])
     found = room.json('basin', '--ode', "x' = y; y' = -x", '--window', 'x=-1:1,y=-1:1')
     expect(len(found['undecided_reasons']) == 1
