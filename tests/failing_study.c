@@ -4,16 +4,21 @@
 
 double failing_slopes[2];
 
-enum status __real_study_run(struct study *s, const struct scene *scene,
-                             const struct monitor *monitor, struct fault *why);
-enum status __wrap_study_run(struct study *s, const struct scene *scene,
-                             const struct monitor *monitor, struct fault *why);
+void __real_study_run_jobs(struct study_job job[], size_t n, unsigned stages,
+                           const struct monitor *monitor);
+void __wrap_study_run_jobs(struct study_job job[], size_t n, unsigned stages,
+                           const struct monitor *monitor);
 
-enum status __wrap_study_run(struct study *s, const struct scene *scene,
-                             const struct monitor *monitor, struct fault *why)
+void __wrap_study_run_jobs(struct study_job job[], size_t n, unsigned stages,
+                           const struct monitor *monitor)
 {
-    if (!(scene->alpha > failing_slopes[0] && scene->alpha < failing_slopes[1]))
-        return __real_study_run(s, scene, monitor, why);
-    *s = (struct study){ .scene = scene };
-    return STATUS_NO_CONVERGENCE;
+    __real_study_run_jobs(job, n, stages, monitor);
+    for (size_t i = 0; i < n; i++) {
+        const double alpha = job[i].scene->alpha;
+        if (job[i].status != STATUS_OK ||
+            !(alpha > failing_slopes[0] && alpha < failing_slopes[1]))
+            continue;
+        study_free(job[i].study);
+        job[i].status = STATUS_NO_CONVERGENCE;
+    }
 }

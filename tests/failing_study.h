@@ -1,5 +1,5 @@
 /* failing_study.h -- studies that fail where a test wants it (dependency
- * failing_study: -Wl,--wrap=study_run). */
+ * failing_study: -Wl,--wrap=study_run_jobs). */
 #ifndef TESTS_FAILING_STUDY_H
 #define TESTS_FAILING_STUDY_H
 

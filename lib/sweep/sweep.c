@@ -3,6 +3,7 @@
  * right at the end: the same scene gives the same sweep. */
 #include "sweep.h"
 
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,6 +26,13 @@ struct run {
     const struct sweep_share *share; /* borrowed; NULL: all are ours */
     size_t done;                     /* rows that are computed */
     enum status failed; /* the first failure; others follow it out */
+};
+
+/* What a thread computes in; a point is too large for its stack. */
+struct worker {
+    struct run *run; /* borrowed */
+    char *block;     /* of a row's layers; NULL: there are none */
+    struct sweep_point point[STUDY_JOBS];
 };
 
 /* ---- one point ----------------------------------------------------------- */
@@ -155,24 +163,31 @@ static enum status keep(struct run *r, size_t i, const struct sweep_point *p,
     return status;
 }
 
-static enum status compute(struct run *r, size_t i)
+/* Rows i[0] .. i[n - 1] side by side. What one of them ends with does not lose
+ * the others. */
+static enum status compute(struct worker *w, const size_t i[], size_t n)
 {
+    struct run *r = w->run;
     const struct monitor monitor = { listen, r };
-    const size_t size = r->s->layers.size;
-    struct sweep_point point;
-    char *block = size ? malloc(size) : NULL;
+    enum status ran[STUDY_JOBS], status = STATUS_OK;
+    const double *x[STUDY_JOBS];
 
-    if (size && block == NULL)
-        return STATUS_NO_MEMORY;
-    enum status status =
-        sweep_point_at(&point, r->s->scene, sweep_rows_x(&r->s->rows, i),
-                       r->products, r->takes_long ? &monitor : NULL);
-    if (status == STATUS_OK) {
-        status = keep(r, i, &point, block);
-        sweep_point_free(&point);
+    for (size_t k = 0; k < n; k++)
+        x[k] = sweep_rows_x(&r->s->rows, i[k]);
+    sweep_points_at(w->point, r->s->scene, x, n, r->products,
+                    r->takes_long ? &monitor : NULL, ran);
+    for (size_t k = 0; k < n; k++) {
+        enum status ends = ran[k];
+        if (ends == STATUS_OK) {
+            ends = keep(r, i[k], &w->point[k], w->block);
+            sweep_point_free(&w->point[k]);
+        }
+        if (ends == STATUS_OK)
+            ends = tell(r);
+        if (status == STATUS_OK)
+            status = ends;
     }
-    free(block);
-    return status ? status : tell(r);
+    return status;
 }
 
 /* Takes a row that an earlier run left, if it did. */
@@ -202,6 +217,53 @@ static size_t next(const struct run *r, size_t count, size_t *at)
     return k;
 }
 
+/* Rows that a thread takes at once: one where each takes long, and few where
+ * threads would wait for each other. */
+static size_t rows_at_once(const struct run *r, size_t count)
+{
+    const size_t fair = count / (4 * (size_t) omp_get_num_threads()) + 1;
+
+    if (r->takes_long)
+        return 1;
+    return fair < STUDY_JOBS ? fair : STUDY_JOBS;
+}
+
+/* The next of those that are not there; false: no more. */
+static bool compute_some(struct worker *w, size_t first, size_t count,
+                         size_t *at, const bool there[])
+{
+    struct run *r = w->run;
+    const size_t most = rows_at_once(r, count);
+    size_t row[STUDY_JOBS], n = 0, k = 0;
+
+    while (n < most && (k = next(r, count, at)) < count)
+        if (!there[k])
+            row[n++] = first + k;
+    if (n > 0)
+        (void) failure(r, compute(w, row, n));
+    return k < count && failure(r, STATUS_OK) == STATUS_OK;
+}
+
+/* One thread's share of them. */
+static void work(struct run *r, size_t first, size_t count, size_t *at,
+                 const bool there[])
+{
+    const size_t size = r->s->layers.size;
+    struct worker *w = malloc(sizeof *w);
+    char *block = size ? malloc(size) : NULL;
+
+    if (w == NULL || (size && block == NULL)) {
+        (void) failure(r, STATUS_NO_MEMORY);
+    } else {
+        w->run = r;
+        w->block = block;
+        while (compute_some(w, first, count, at, there))
+            ;
+    }
+    free(block);
+    free(w);
+}
+
 /* Every row from `first` on, whose x is set; of a share, its rows. */
 static enum status compute_from(struct run *r, size_t first)
 {
@@ -213,11 +275,10 @@ static enum status compute_from(struct run *r, size_t first)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < count; i++)
         known += there[i] = take(r, first + i);
-#pragma omp parallel if (known < count)
-    for (size_t k; known < count && failure(r, STATUS_OK) == STATUS_OK &&
-                   (k = next(r, count, &at)) < count;)
-        if (!there[k])
-            (void) failure(r, compute(r, first + k));
+    if (known < count) {
+#pragma omp parallel
+        work(r, first, count, &at, there);
+    }
     free(there);
     r->s->missing = r->s->rows.count - r->done;
     return r->failed;

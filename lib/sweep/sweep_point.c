@@ -102,21 +102,15 @@ static enum status run_starts(struct sweep_point *p,
     return status;
 }
 
-static enum status run(struct sweep_point *p, bool starts,
-                       const struct monitor *monitor)
+/* What a study does not know. */
+static enum status complete(struct sweep_point *p, bool starts,
+                            const struct monitor *monitor)
 {
-    struct fault why;
-    enum status status = study_run(&p->study, &p->scene, monitor, &why);
-
-    if (status != STATUS_OK)
-        return status;
     study_proof_withdraw(&p->study.proof);
     complete_steady(p);
     if (scene_sweep_releases(&p->scene))
         p->release = release_at(&p->study);
-    if (starts)
-        status = run_starts(p, monitor);
-    return status;
+    return starts ? run_starts(p, monitor) : STATUS_OK;
 }
 
 enum status sweep_point_begin(struct sweep_point *p, const struct scene *scene)
@@ -146,24 +140,67 @@ static enum status note_failure(struct sweep_point *p, enum status status)
     return STATUS_OK;
 }
 
+static enum status run_system(struct sweep_point *p,
+                              const struct monitor *monitor)
+{
+    struct fault why;
+    const enum status status =
+        plane_study_run(&p->plane, &p->scene, monitor, &why);
+
+    if (status == STATUS_OK)
+        plane_proof_withdraw(&p->plane.proof);
+    return status;
+}
+
+/* The first of n, which go by the same stages; of how many. */
+static size_t run_some(struct sweep_point p[], size_t n, bool starts,
+                       const struct monitor *monitor, enum status status[])
+{
+    const unsigned stages = plan_scene(&p[0].scene);
+    struct study_job job[STUDY_JOBS];
+    size_t some = 0;
+
+    for (; some < n && plan_scene(&p[some].scene) == stages; some++)
+        job[some] = (struct study_job){ .study = &p[some].study,
+                                        .scene = &p[some].scene };
+    study_run_jobs(job, some, stages, monitor);
+    for (size_t k = 0; k < some; k++) {
+        status[k] = job[k].status;
+        if (status[k] == STATUS_OK)
+            status[k] = complete(&p[k], starts, monitor);
+    }
+    return some;
+}
+
+/* Those begun, alike but for what a sweep changes; systems alone. */
+static void run(struct sweep_point p[], size_t n, unsigned products,
+                const struct monitor *monitor, enum status status[])
+{
+    const bool starts = p[0].scene.products & BIT(TRAJECTORIES);
+
+    for (size_t k = 0; k < n; k++)
+        p[k].scene.products = products;
+    if (p[0].system)
+        status[0] = run_system(&p[0], monitor);
+    else
+        for (size_t k = 0; k < n;)
+            k += run_some(p + k, n - k, starts, monitor, status + k);
+    for (size_t k = 0; k < n; k++)
+        if (status[k] != STATUS_OK)
+            status[k] = note_failure(&p[k], status[k]);
+}
+
 enum status sweep_point_run(struct sweep_point *p, unsigned products,
                             const struct monitor *monitor)
 {
-    const bool starts = p->scene.products & BIT(TRAJECTORIES);
-    struct fault why;
+    enum status status;
 
-    p->scene.products = products;
-    const enum status status =
-        p->system ? plane_study_run(&p->plane, &p->scene, monitor, &why)
-                  : run(p, starts, monitor);
-    if (status == STATUS_OK)
-        plane_proof_withdraw(&p->plane.proof);
-    return status ? note_failure(p, status) : STATUS_OK;
+    run(p, 1, products, monitor, &status);
+    return status;
 }
 
-enum status sweep_point_at(struct sweep_point *p, const struct scene *scene,
-                           const double x[], unsigned products,
-                           const struct monitor *monitor)
+static enum status begin_at(struct sweep_point *p, const struct scene *scene,
+                            const double x[])
 {
     struct scene at;
 
@@ -173,8 +210,36 @@ enum status sweep_point_at(struct sweep_point *p, const struct scene *scene,
         return status;
     for (size_t i = 0; p->system && i < scene->sweep.axes && !status; i++)
         status = scene_parameter_set(p->system, scene->sweep.axis[i].key, x[i]);
-    return status ? note_failure(p, status)
-                  : sweep_point_run(p, products, monitor);
+    return status ? note_failure(p, status) : STATUS_OK;
+}
+
+void sweep_points_at(struct sweep_point p[], const struct scene *scene,
+                     const double *const x[], size_t n, unsigned products,
+                     const struct monitor *monitor, enum status status[])
+{
+    const size_t most = scene->system ? 1 : n;
+
+    for (size_t k = 0; k < n; k++)
+        status[k] = begin_at(&p[k], scene, x[k]);
+    for (size_t k = 0, some; k < n; k += some) {
+        for (some = 0; some < most && k + some < n; some++)
+            if (status[k + some] != STATUS_OK || p[k + some].failed)
+                break;
+        if (some > 0)
+            run(p + k, some, products, monitor, status + k);
+        else
+            some = 1;
+    }
+}
+
+enum status sweep_point_at(struct sweep_point *p, const struct scene *scene,
+                           const double x[], unsigned products,
+                           const struct monitor *monitor)
+{
+    enum status status;
+
+    sweep_points_at(p, scene, &x, 1, products, monitor, &status);
+    return status;
 }
 
 void sweep_points_study(struct sweep_point p[], const struct scene scene[],

@@ -50,6 +50,11 @@ MUST_CHECK enum status sweep_point_at(struct sweep_point *p,
                                       const double x[], unsigned products,
                                       const struct monitor *monitor);
 
+/* The same of n <= STUDY_JOBS side by side, at x[k]. */
+void sweep_points_at(struct sweep_point p[], const struct scene *scene,
+                     const double *const x[], size_t n, unsigned products,
+                     const struct monitor *monitor, enum status status[]);
+
 /* p[k].study of scene[k], k < n <= STUDY_JOBS, by these stages and no more, as
  * study_run_jobs; it is empty where status[k] is not STATUS_OK. */
 void sweep_points_study(struct sweep_point p[], const struct scene scene[],
