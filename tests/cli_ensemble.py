@@ -4,6 +4,7 @@
 usage: cli_ensemble.py PATH_TO_SLIPWAY SOURCE_ROOT
 """
 import json
+import math
 import os
 import random
 import signal
@@ -298,6 +299,33 @@ def parameters_that_scatter_give_equilibria_a_spread(room):
     expect(abs((drawn['0.84'] - drawn['0.16']) / 0.01 - 1) < 0.1, drawn)
 
 
+def shares_of_basins_have_a_spread(room):
+    """that of a law as two runs on each side have it, also in the file"""
+    ask = [*LAW, '--set', 'products=[basins]', '--set', 'basins.cells=[16, 16]',
+           '--set', 'basins.audit=0', '--rtol', '1e-12']
+    scatter = {'material.a': (0.0349, 5e-4), 'slope.alpha': (0.34, 2e-3)}
+
+    def run(*more):
+        return room.json('basin', *ask, '-o', 'b.h5', *(
+            f'--set={word}' for word in more))['basin']['fractions']
+
+    found = run(*(f'{key}={x!r} +- {s!r}' for key, (x, s) in scatter.items()))
+    read = json.loads(room.reads(
+        'import h5py, json, sys; a = h5py.File(sys.argv[1])["basin"].attrs\n'
+        'print(json.dumps([float(a[f"fraction_{w}_creep_spread"]) '
+        'for w in ("log", "linear")]))', 'b.h5'))
+    for k, word in enumerate(('log', 'linear')):
+        rates = []
+        for key, (x, s) in scatter.items():
+            up, down = [run(f'{key}={x * (1 + h)!r}')['creep'][word]['value']
+                        for h in (1e-5, -1e-5)]
+            rates.append((up - down) / (2e-5 * x) * s)
+        spread = found['creep'][word]['spread']
+        expect(abs(spread / math.hypot(*rates) - 1) < 1e-3, word, found, rates)
+        expect(read[k] == spread, read, found)
+    expect('spread' not in run()['creep']['log'])
+
+
 def what_sweeps_have_by_name_is_drawn(room):
     basins = ['--set', 'products=[basins]', '--set', 'basins.cells=[32, 32]',
               '--set', 'basins.audit=0']
@@ -477,6 +505,7 @@ run_cases([
     pushes_of_a_system_go_where_push_says,
     a_push_of_an_uncertain_material_has_a_spread,
     parameters_that_scatter_give_equilibria_a_spread,
+    shares_of_basins_have_a_spread,
     what_sweeps_have_by_name_is_drawn,
     scatter_is_refused_where_it_says_nothing,
 ])

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "difference.h"
 #include "neighbours.h"
 #include "normal.h"
 #include "scene_units.h"
@@ -106,8 +107,8 @@ static void set_rate(struct job *j, size_t i, int k, double nudge)
                      : quantity_none("its fate is another");
         si[n] = unit_quantity(&j->at[n].units, unit_of(k), own[n]);
     }
-    rate->settled = neighbours_rate(own, nudge, &rate->own);
-    (void) neighbours_rate(si, nudge, &rate->si);
+    rate->settled = difference_rate(own, nudge, &rate->own);
+    (void) difference_rate(si, nudge, &rate->si);
 }
 
 /* False if some would rather have a smaller nudge. */

@@ -14,13 +14,18 @@
 static enum status put_number(struct store *st, const char *group,
                               const char *key, const struct quantity *q)
 {
-    char error[RESULT_NAME + 8];
+    char error[RESULT_NAME + 8], spread[RESULT_NAME + 8];
 
     if (!quantity_exists(q))
         return STATUS_OK;
     snprintf(error, sizeof error, "%s_error", key);
-    const enum status status = store_put_real(st, group, key, q->value);
-    return status ? status : store_put_real(st, group, error, q->error);
+    snprintf(spread, sizeof spread, "%s_spread", key);
+    enum status status = store_put_real(st, group, key, q->value);
+    if (status == STATUS_OK)
+        status = store_put_real(st, group, error, q->error);
+    return status || isnan(q->spread)
+               ? status
+               : store_put_real(st, group, spread, q->spread);
 }
 
 static enum status put_attribute(struct store *st, const char *group,

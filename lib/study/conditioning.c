@@ -11,6 +11,7 @@
 #include "neighbours.h"
 #include "scene_slope.h"
 #include "study.h"
+#include "study_results.h"
 #include "study_tolerance.h"
 
 enum {
@@ -165,7 +166,7 @@ enum status conditioning_find(struct study *s, const struct monitor *monitor,
                               struct sensitivities *exact, size_t *evaluations)
 {
     struct neighbours f;
-    enum status status = neighbours_init(&f, s);
+    enum status status = neighbours_init(&f, s, STUDY_NUMBERS);
 
     if (status == STATUS_OK)
         status = add_inputs(&f, monitor, exact);

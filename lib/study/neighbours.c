@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "difference.h"
 #include "scene_units.h"
 #include "study_results.h"
 #include "study_tolerance.h"
@@ -58,9 +59,9 @@ static enum status add_result(struct numbers *n, const struct results *all,
     return status;
 }
 
-/* Of the results that need nothing but STUDY_NUMBERS, and that one with these
- * stages was asked for. */
-static enum status numbers_of(struct study *s, unsigned stages,
+/* Of the results that need nothing but `from`, and that one with these stages
+ * was asked for. */
+static enum status numbers_of(struct study *s, uint64_t from, unsigned stages,
                               struct numbers *n)
 {
     const struct results all = study_results(s);
@@ -70,7 +71,7 @@ static enum status numbers_of(struct study *s, unsigned stages,
     for (size_t t = 0; all.table[t]; t++)
         for (const struct result *r = all.table[t]; r->type && !status; r++)
             if (r->name && result_asked(r, &all) && (r->needs & stages) &&
-                !(r->needs & ~STUDY_NUMBERS))
+                !(r->needs & ~from))
                 status = add_result(n, &all, r);
     return status;
 }
@@ -92,27 +93,29 @@ static enum status recompute(struct neighbours *f, neighbour_move *move,
     n->found = false;
     if (move && !move(ctx, nudge, c))
         return STATUS_OK;
-    c->products = plan_products(f->s->stages & STUDY_NUMBERS);
+    c->products = plan_products((unsigned) (f->s->stages & f->stages));
     c->ensemble.scattered = 0;
-    c->proved = false;
+    c->proved = c->exact = false;
+    c->audit = 0;
     n->units = scene_units(c);
     n->units.si = true;
     enum status status = study_run(&n->study, c, NULL, &why);
     n->found = status == STATUS_OK;
     if (n->found)
-        status = numbers_of(&n->study, f->s->stages, &n->numbers);
+        status = numbers_of(&n->study, f->stages, f->s->stages, &n->numbers);
     if (n->found)
         f->evaluations += study_cost(&n->study).field_evaluations;
     return status == STATUS_NO_MEMORY ? status : STATUS_OK;
 }
 
-enum status neighbours_init(struct neighbours *f, struct study *s)
+enum status neighbours_init(struct neighbours *f, struct study *s,
+                            uint64_t stages)
 {
-    *f = (struct neighbours){ .s = s };
+    *f = (struct neighbours){ .s = s, .stages = stages };
     f->around = calloc(AROUND, sizeof *f->around);
     if (f->around == NULL)
         return STATUS_NO_MEMORY;
-    enum status status = numbers_of(s, s->stages, &f->numbers);
+    enum status status = numbers_of(s, stages, s->stages, &f->numbers);
     if (status == STATUS_OK)
         status = recompute(f, NULL, NULL, 0.0, HERE);
     f->same = f->around[HERE].found &&
@@ -132,24 +135,6 @@ void neighbours_free(struct neighbours *f)
 
 /* ---- rates --------------------------------------------------------------- */
 
-bool neighbours_rate(const struct quantity q[3], double nudge, double *rate)
-{
-    const struct quantity *up = &q[UP], *down = &q[DOWN];
-    const bool above = quantity_exists(up), below = quantity_exists(down);
-
-    if (!quantity_exists(q) || (!above && !below))
-        return !quantity_exists(q);
-    if (!above || !below) {
-        *rate = ((above ? up : down)->value - q->value) / nudge;
-        return false;
-    }
-    const double first = up->value - down->value;
-    const double second = up->value - 2.0 * q->value + down->value;
-    const double noise = 10.0 * TOL_RTOL_DEFAULT * fabs(q->value);
-    *rate = first / (2.0 * nudge);
-    return fabs(second) <= TOL_FAR_BELOW * fabs(first) + noise;
-}
-
 static void set_rate(const struct neighbour n[AROUND], size_t i, double nudge,
                      struct neighbour_rate *rate)
 {
@@ -159,8 +144,8 @@ static void set_rate(const struct neighbour n[AROUND], size_t i, double nudge,
         own[k] = *n[k].numbers.at[i];
         si[k] = unit_quantity(&n[k].units, n[k].numbers.unit[i], own[k]);
     }
-    rate->settled = neighbours_rate(own, nudge, &rate->own);
-    (void) neighbours_rate(si, nudge, &rate->si);
+    rate->settled = difference_rate(own, nudge, &rate->own);
+    (void) difference_rate(si, nudge, &rate->si);
 }
 
 /* False if some would rather have a smaller nudge. */

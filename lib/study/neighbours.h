@@ -3,12 +3,13 @@
  * differences of studies in which it is moved: good to about two digits.
  *
  *     struct neighbours f;
- *     neighbours_init(&f, &study);
+ *     neighbours_init(&f, &study, STUDY_NUMBERS);
  *     neighbours_rates(&f, move, ctx, rate);
  *     neighbours_free(&f);
  *
- * Numbers are those that exist in the study and are read off the equilibria,
- * folds, branches, knees and estimates (STUDY_NUMBERS).
+ * Numbers are those that exist in the study and come from some of its stages:
+ * STUDY_NUMBERS, read off the equilibria, folds, branches, knees and estimates,
+ * and perhaps the shares of its basins, for which no cell is followed.
  */
 #pragma once
 
@@ -31,6 +32,7 @@ struct numbers {
 
 struct neighbours {
     struct study *s;          /* borrowed */
+    uint64_t stages;          /* that numbers come from */
     struct numbers numbers;   /* of s */
     struct neighbour *around; /* owned */
     bool same;                /* at an accuracy fit for differences, too */
@@ -44,16 +46,13 @@ struct neighbour_rate {
     bool settled; /* both neighbours have it, and tell alike */
 };
 
-/* d q/d nudge from a number, q[0], and from those of its two neighbours; false
- * where they do not tell it: one is missing, or the two differences are
- * unlike. */
-bool neighbours_rate(const struct quantity q[3], double nudge, double *rate);
-
 /* Moves an input; false: that is out of its range. */
 typedef bool neighbour_move(const void *ctx, double nudge, struct scene *c);
 
-/* STATUS_NO_MEMORY leaves *f empty. */
-MUST_CHECK enum status neighbours_init(struct neighbours *f, struct study *s);
+/* stages: STUDY_NUMBERS, or STUDY_NUMBERS | ASKED_BY(BASINS).  STATUS_NO_MEMORY
+ * leaves *f empty. */
+MUST_CHECK enum status neighbours_init(struct neighbours *f, struct study *s,
+                                       uint64_t stages);
 
 /* Into rate[f->numbers.count].  STATUS_NO_MEMORY. */
 MUST_CHECK enum status neighbours_rates(struct neighbours *f,

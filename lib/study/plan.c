@@ -27,8 +27,6 @@ const struct stage_info stage_table[STAGES] = {
                               "derivatives by the inputs, conditioning",
                               "about 20 times the stable manifold",
                               BIT(CRITICAL), ASKED(SENSITIVITIES) },
-    [STAGE_SPREAD] = { "spread", "what the scatter of inputs makes of numbers",
-                       "twice the numbers for each input", 0, 0 },
     [STAGE_NULLCLINES] = { "nullclines", "zero sets of dv/dt and dpsi/dt",
                            "some thousand field evaluations", BIT(STEADY),
                            ASKED(NULLCLINES) },
@@ -46,6 +44,8 @@ const struct stage_info stage_table[STAGES] = {
                        BIT(BASINS),
                        ASKED(SLIP) | ASKED(TIME) | ASKED(FRICTION) |
                            ASKED(PEAK) },
+    [STAGE_SPREAD] = { "spread", "what the scatter of inputs makes of numbers",
+                       "twice the numbers for each input", 0, 0 },
     [STAGE_FRICTION_LAW] = { "friction_law", "steady-state friction over v",
                              "a millisecond", 0, ASKED(FRICTION_LAW) },
     [STAGE_SPRING_BLOCK] = { "spring_block", "stick-slip boundary over v",

@@ -17,12 +17,12 @@ enum stage {
     STAGE_TAYLOR,        /* the manifold's power series in v */
     STAGE_ESTIMATES,     /* the paper's formulas (29)-(42) */
     STAGE_SENSITIVITIES, /* derivatives by the inputs, conditioning */
-    STAGE_SPREAD,        /* what the scatter of inputs makes of the numbers */
     STAGE_NULLCLINES,    /* in the window */
     STAGE_ARROWS,        /* direction field in the window */
     STAGE_TRAJECTORIES,  /* forward orbits */
     STAGE_BASINS,        /* the fate of every cell of a grid */
     STAGE_FIELDS,        /* slip, time, friction of every cell of it */
+    STAGE_SPREAD,        /* what the scatter of inputs makes of the numbers */
     STAGE_FRICTION_LAW,  /* diagrams of steady sliding: Fig 1(a), */
     STAGE_SPRING_BLOCK,  /* Fig 1(b), */
     STAGE_BIFURCATION,   /* Fig 3, */

@@ -5,6 +5,7 @@
 #include "neighbours.h"
 #include "scene_vary.h"
 #include "study.h"
+#include "study_results.h"
 
 /* An input that is scattered. */
 struct input {
@@ -69,7 +70,8 @@ enum status scatter_find(struct study *s, const struct monitor *monitor,
                          size_t *evaluations)
 {
     struct neighbours f;
-    enum status status = neighbours_init(&f, s);
+    enum status status =
+        neighbours_init(&f, s, STUDY_NUMBERS | ASKED_BY(BASINS));
 
     if (status == STATUS_OK)
         status = add_inputs(&f, monitor);
