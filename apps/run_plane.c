@@ -6,6 +6,7 @@
 #include "margin.h"
 #include "picture_plane.h"
 #include "plane_certificate.h"
+#include "plane_numbers.h"
 #include "plane_results.h"
 #include "progress.h"
 #include "report_ensemble.h"
@@ -24,20 +25,11 @@ unsigned plane_products(const struct options *o)
                : always;
 }
 
-/* What is undecided may be part of any of the others: of that their bars know
- * nothing. */
-static bool are_lower_bounds(const struct plane_study *s)
-{
-    const struct quantity q = s->basin.elsewhere.undecided;
-
-    return s->basin.share && q.value > q.error;
-}
-
 static json_t *json_reasons(const struct plane_study *s)
 {
     json_t *all = json_array();
 
-    for (int i = 0; i < PLANE_UNKNOWNS && are_lower_bounds(s); i++)
+    for (int i = 0; i < PLANE_UNKNOWNS && plane_numbers_lack(s); i++)
         if (s->basin.unknown[i])
             json_array_append_new(all, json_string(plane_unknown_texts[i]));
     return all;
@@ -54,7 +46,7 @@ static enum exit_code print_json(const struct plane_study *s,
                             json_boolean(s->complete));
     if (j && s->products & BIT(BASINS)) {
         json_object_set_new(j, "shares_are_lower_bounds",
-                            json_boolean(are_lower_bounds(s)));
+                            json_boolean(plane_numbers_lack(s)));
         json_object_set_new(j, "undecided_reasons", json_reasons(s));
         json_object_set_new(j, "neutral_cycles",
                             json_integer((json_int_t) s->basin.neutral));
@@ -84,11 +76,11 @@ static void print_notes(const struct plane_study *s)
 {
     if (!s->complete)
         print_incomplete(s);
-    if (are_lower_bounds(s))
+    if (plane_numbers_lack(s))
         printf("note: shares are lower bounds: each may have up to %.3g more, "
                "which is undecided\n",
                s->basin.elsewhere.undecided.value);
-    for (int i = 0; i < PLANE_UNKNOWNS && are_lower_bounds(s); i++)
+    for (int i = 0; i < PLANE_UNKNOWNS && plane_numbers_lack(s); i++)
         if (s->basin.unknown[i])
             printf("note: undecided: %s\n", plane_unknown_texts[i]);
     if (s->scene->products & BIT(MARGIN) && !margin_exists(&s->basin.regions))

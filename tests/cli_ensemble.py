@@ -326,6 +326,39 @@ def shares_of_basins_have_a_spread(room):
     expect('spread' not in run()['creep']['log'])
 
 
+TILTED = '''
+system:
+  parameters: {a: 0.5, e: 0.05}
+  rates: {x: y, y: x - x^3 - a*y + e}
+window: {x: [-2, 2], y: [-1.5, 1.5]}
+basins: {cells: [8, 8], audit: 0}
+accuracy: {rtol: 1e-12}
+'''
+
+
+def shares_of_a_system_have_a_spread(room):
+    """as two runs on each side of each parameter have it"""
+    room.write('d.yaml', TILTED)
+    scatter = {'a': (0.5, 0.02), 'e': (0.05, 0.01)}
+
+    def run(**parameters):
+        sets = [f'--set=system.parameters.{name}={value}'
+                for name, value in parameters.items()]
+        shares = room.json('basin', 'd.yaml', '-o', 'd.h5', *sets)['shares']
+        return {share['attractor']: share['fraction'] for share in shares}
+
+    found = run(**{name: f'{x} +- {s}' for name, (x, s) in scatter.items()})
+    beside = [[run(**{name: x + h}) for h in (1e-4, -1e-4)]
+              for name, (x, _) in scatter.items()]
+    for name in ('stable_focus_0', 'stable_focus_1'):
+        rates = [(up[name]['value'] - down[name]['value']) / 2e-4 * s
+                 for (up, down), (_, s) in zip(beside, scatter.values())]
+        expect(abs(found[name]['spread'] / math.hypot(*rates) - 1) < 1e-3,
+               found, rates)
+    expect(found['infinity']['spread'] == 0, found)
+    expect('spread' not in beside[0][0]['stable_focus_0'], beside)
+
+
 def what_sweeps_have_by_name_is_drawn(room):
     basins = ['--set', 'products=[basins]', '--set', 'basins.cells=[32, 32]',
               '--set', 'basins.audit=0']
@@ -506,6 +539,7 @@ run_cases([
     a_push_of_an_uncertain_material_has_a_spread,
     parameters_that_scatter_give_equilibria_a_spread,
     shares_of_basins_have_a_spread,
+    shares_of_a_system_have_a_spread,
     what_sweeps_have_by_name_is_drawn,
     scatter_is_refused_where_it_says_nothing,
 ])

@@ -218,3 +218,11 @@ enum status plane_numbers(struct result_numbers *n,
 
     return result_numbers_init(n, &all);
 }
+
+bool plane_numbers_lack(const struct plane_study *s)
+{
+    const struct plane_basin *b = &s->basin;
+
+    return b->share && b->share[b->labels].fraction.value >
+                           b->share[b->labels].fraction.error;
+}

@@ -28,3 +28,7 @@ void plane_numbers_free(struct plane_study *frame);
  * STATUS_NO_MEMORY leaves *n empty. */
 MUST_CHECK enum status plane_numbers(struct result_numbers *n,
                                      const struct plane_study *frame);
+
+/* Whether some of the window is undecided, which may be part of any of the
+ * shares: of that their bars know nothing. */
+bool plane_numbers_lack(const struct plane_study *s);

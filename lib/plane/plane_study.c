@@ -13,6 +13,7 @@
 #include "plane_proof.h"
 #include "plane_rest.h"
 #include "plane_results.h"
+#include "plane_scatter.h"
 #include "plane_sensitivity.h"
 #include "plane_tolerance.h"
 #include "plane_turn.h"
@@ -326,6 +327,9 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         return status;
     if (s->products & BIT(SENSITIVITIES) || s->scene->ensemble.scattered > 0)
         status = plane_sensitivity_find(s, monitor);
+    if (status == STATUS_OK && s->products & BIT(BASINS) &&
+        s->scene->ensemble.scattered > 0)
+        status = plane_scatter_shares(s, monitor);
     if (status != STATUS_OK)
         return status;
     plane_numbers_fill(s);
