@@ -4,10 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drawn.h"
+#include "goal_scatter.h"
 #include "json.h"
 #include "number.h"
-#include "plane_answer.h"
 #include "progress.h"
+#include "report_ensemble.h"
 #include "table.h"
 
 struct job {
@@ -17,7 +19,8 @@ struct job {
     double (*state)[2];          /* owned */
     struct plane_answer *answer; /* owned */
     size_t count;
-    struct table table; /* where the states come from; else empty */
+    struct ensemble drawn; /* owned; beside --draws */
+    struct table table;    /* where the states come from; else empty */
 };
 
 /* ---- states -------------------------------------------------------------- */
@@ -117,6 +120,11 @@ static json_t *answer_json(const struct job *j, size_t i)
         snprintf(name, sizeof name, "%.70s_kick", name_of(j, k));
         json_object_set_new(all, name, json_quantity(&j->answer[i].kick[k]));
     }
+    if (!isnan(j->answer[i].stays))
+        json_object_set_new(all, "attractor_linear",
+                            json_number(j->answer[i].stays));
+    if (j->table.rows == 0 && drawn_of(&j->drawn))
+        json_object_set_new(all, "ensemble", report_ensemble_json(&j->drawn));
     return all;
 }
 
@@ -129,8 +137,23 @@ static void print_kick(const struct job *j, size_t i, int axis)
         return;
     }
     const struct number_bar n = number_with_bar(q->value, q->error);
-    printf("  %s_kick: %s +- %s\n", name_of(j, axis), n.value.text,
-           n.error.text);
+    printf("  %s_kick: %s +- %s", name_of(j, axis), n.value.text, n.error.text);
+    if (isinf(q->spread))
+        printf("  (spread not known)");
+    else if (!isnan(q->spread))
+        printf("  (spread %.2g)", q->spread);
+    putchar('\n');
+}
+
+static void print_answer(const struct job *j, size_t i)
+{
+    printf("%s = %s, %s = %s: %s\n", name_of(j, 0),
+           number_shortest(j->state[i][0]).text, name_of(j, 1),
+           number_shortest(j->state[i][1]).text, j->answer[i].attractor);
+    for (int k = 0; k < 2; k++)
+        print_kick(j, i, k);
+    if (!isnan(j->answer[i].stays))
+        printf("  attractor_linear: %.6g\n", j->answer[i].stays);
 }
 
 static enum exit_code print(const struct job *j, const struct options *o)
@@ -140,13 +163,10 @@ static enum exit_code print(const struct job *j, const struct options *o)
     for (size_t i = 0; i < j->count; i++) {
         json_array_append_new(list, answer_json(j, i));
         if (!o->json && !o->quiet)
-            printf("%s = %s, %s = %s: %s\n", name_of(j, 0),
-                   number_shortest(j->state[i][0]).text, name_of(j, 1),
-                   number_shortest(j->state[i][1]).text,
-                   j->answer[i].attractor);
-        for (int k = 0; k < 2 && !o->json && !o->quiet; k++)
-            print_kick(j, i, k);
+            print_answer(j, i);
     }
+    if (!o->json && !o->quiet && drawn_of(&j->drawn))
+        report_ensemble_print(stdout, &j->drawn);
     if (!o->json) {
         json_decref(list);
         return EXIT_DONE;
@@ -158,9 +178,24 @@ static enum exit_code print(const struct job *j, const struct options *o)
     return json_print(all) ? EXIT_DONE : command_unwritten();
 }
 
+static enum status find_answers(struct job *j, const struct options *o,
+                                struct fault *why)
+{
+    const struct monitor *monitor = progress_monitor(o);
+    enum status s = plane_study_run(&j->study, &j->asked, monitor, why);
+
+    for (size_t i = 0; i < j->count && s == STATUS_OK; i++)
+        s = plane_answer_at(&j->study, j->state[i], &j->answer[i]);
+    if (s == STATUS_OK && j->scene->ensemble.scattered > 0)
+        s = goal_scatter_find(&j->study, (const double(*)[2]) j->state,
+                              j->count, monitor, j->answer);
+    progress_end();
+    return s == STATUS_OK ? drawn_run(o, j->scene, &j->drawn, why) : s;
+}
+
 enum exit_code plane_push(const struct options *o, const struct scene *scene)
 {
-    struct job j = { .scene = scene, .asked = *scene };
+    struct job j = { .scene = scene, .asked = *scene, .drawn = ENSEMBLE_EMPTY };
     struct fault why = { "" };
 
     j.asked.products = 1u << PRODUCT_BASINS;
@@ -168,13 +203,11 @@ enum exit_code plane_push(const struct options *o, const struct scene *scene)
     enum status s = o->states ? read_many(&j, o->states, &why)
                               : read_single(&j, o->state, &why);
     if (s == STATUS_OK)
-        s = plane_study_run(&j.study, &j.asked, progress_monitor(o), &why);
-    progress_end();
-    for (size_t i = 0; i < j.count && s == STATUS_OK; i++)
-        s = plane_answer_at(&j.study, j.state[i], &j.answer[i]);
+        s = find_answers(&j, o, &why);
     const enum exit_code code =
         s == STATUS_OK ? print(&j, o) : command_fail(s, why.text);
     plane_study_free(&j.study);
+    ensemble_free(&j.drawn);
     table_free(&j.table);
     free(j.state);
     free(j.answer);

@@ -18,7 +18,6 @@
 #include "push_scatter.h"
 #include "report_ensemble.h"
 #include "result_units.h"
-#include "scene_scatter.h"
 #include "scene_units.h"
 #include "state.h"
 #include "table.h"
@@ -410,6 +409,17 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     return code;
 }
 
+/* --state x=1,y=0.5 as {x: 1, y: 0.5}; what is wrong of it is told later. */
+static void system_setting(const struct options *o, char text[160])
+{
+    size_t n = (size_t) sprintf(text, "ensemble.pushes=[{");
+
+    for (const char *c = o->state; *c && n < 150; c++)
+        n += (size_t) sprintf(text + n, *c == '=' || *c == ',' ? "%c " : "%c",
+                              *c == '=' ? ':' : *c);
+    strcpy(text + n, "}]");
+}
+
 /* What was asked as pushes of the scene's ensemble. */
 static enum status push_setting(const struct options *o,
                                 const struct scene *scene, char text[160],
@@ -422,9 +432,13 @@ static enum status push_setting(const struct options *o,
     if (o->states)
         return command_refuse(why,
                               "push: --states %s: draws are of one state, "
-                              "expected --v and --psi, or --from creep, or no "
-                              "draws",
+                              "expected --state, --v and --psi, or --from "
+                              "creep, or no draws",
                               o->states);
+    if (scene->system) {
+        system_setting(o, text);
+        return STATUS_OK;
+    }
     const enum status s =
         o->from ? read_kick(o, scene, &p, why) : state_read(o, scene, &z, why);
     if (s == STATUS_OK && !o->from)
@@ -464,9 +478,7 @@ static enum status read_scene(const struct options *o, struct scene *scene,
     if (s != STATUS_OK)
         return s;
     s = check_state(o, scene, why);
-    if (s == STATUS_OK && scene->system)
-        s = scene_scatter_refuse(scene, "push of a system", why);
-    else if (s == STATUS_OK)
+    if (s == STATUS_OK && (!scene->system || o->states || o->state))
         s = read_draws(o, scene, why);
     if (s != STATUS_OK)
         scene_free(scene);

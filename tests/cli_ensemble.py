@@ -359,6 +359,40 @@ def shares_of_a_system_have_a_spread(room):
     expect('spread' not in beside[0][0]['stable_focus_0'], beside)
 
 
+def a_push_of_an_uncertain_system_has_a_spread(room):
+    """as pushes on each side of each parameter have it, and draws likewise"""
+    room.write('d.yaml', TILTED)
+    scatter = {'a': (0.5, 0.02), 'e': (0.05, 0.01)}
+    scattered = [f'--set=system.parameters.{name}={x} +- {s}'
+                 for name, (x, s) in scatter.items()]
+
+    def push(*more, state='x=1.6,y=0.95'):
+        return room.json('push', 'd.yaml', '--state', state, *more)
+
+    found = push(*scattered, '--draws', '64')
+    likely = 1
+    for kick in ('x_kick', 'y_kick'):
+        rates = []
+        for name, (x, s) in scatter.items():
+            up, down = [push(f'--set=system.parameters.{name}={x + h}')[kick]
+                        for h in (1e-4, -1e-4)]
+            rates.append((up['value'] - down['value']) / 2e-4 * s)
+        spread = found[kick]['spread']
+        expect(abs(spread / math.hypot(*rates) - 1) < 1e-2, found, rates)
+        off = abs(found[kick]['value']) / spread
+        likely = min(likely, (1 + math.erf(off / math.sqrt(2))) / 2)
+    expect(abs(found['attractor_linear'] - likely) < 1e-12 and
+           0.6 < likely < 0.99, found, likely)
+    drawn = found['ensemble']['pushes'][0]['attractors'][found['attractor']]
+    expect(abs(drawn['value'] - likely) < drawn['error'] + 0.02, drawn, likely)
+    expect(list(push()) == ['state', 'attractor', 'x_kick', 'y_kick'])
+    room.write('s.csv', 'x,y\n1.6,0.95\n')
+    expect(room.json('push', 'd.yaml', '--states', 's.csv', *scattered)
+           ['states'][0]['attractor_linear'] == found['attractor_linear'])
+    refused(room.run('push', 'd.yaml', '--states', 's.csv', *scattered,
+                     '--draws', '10'), 2, 'draws are of one state')
+
+
 def what_sweeps_have_by_name_is_drawn(room):
     basins = ['--set', 'products=[basins]', '--set', 'basins.cells=[32, 32]',
               '--set', 'basins.audit=0']
@@ -394,11 +428,8 @@ def scatter_is_refused_where_it_says_nothing(room):
                 f'{command} does not tell what +- makes')
     refused(room.run('simulate', *LAW, *SCATTER, '--v', '1', '--psi', '1'), 2,
             '--set material.a=0.0349 +- 5e-05', 'simulate')
-    room.write('d.yaml', DUFFING.replace('a: 0.5', 'a: 0.5 +- 0.1'))
-    refused(room.run('push', 'd.yaml', '--state', 'x=1,y=0'), 2,
-            'push of a system does not tell')
     refused(room.run('knees', *LAW, '--draws', '100'), 2, '--draws', 'X +- S')
-    expect(room.names() == ['d.yaml', 's.yaml'], room.names())
+    expect(room.names() == ['s.yaml'], room.names())
 
 
 def what_is_wrong_is_one_line_and_nothing_is_written(room):
@@ -540,6 +571,7 @@ run_cases([
     parameters_that_scatter_give_equilibria_a_spread,
     shares_of_basins_have_a_spread,
     shares_of_a_system_have_a_spread,
+    a_push_of_an_uncertain_system_has_a_spread,
     what_sweeps_have_by_name_is_drawn,
     scatter_is_refused_where_it_says_nothing,
 ])

@@ -29,6 +29,7 @@ enum status plane_answer_at(const struct plane_study *s, const double state[2],
     }
     if (status == STATUS_OK)
         status = plane_margin_at(s, at, out->kick);
+    out->stays = (double) NAN;
     out->attractor =
         s->basin.name[label < 0 ? (int8_t) s->basin.labels : label];
     return status;

@@ -6,6 +6,8 @@
 struct plane_answer {
     const char *attractor;   /* a name of the basins */
     struct quantity kick[2]; /* plane_margin.h */
+    double stays; /* where parameters scatter: lib/ensemble/goal_scatter.h; NaN:
+                     nobody asked, or not known */
 };
 
 /* Inside the window by the map of basins, in which a state may lie too near to
