@@ -295,6 +295,15 @@ static const struct {
       { -3.6463701337836896, 38.335261321867996 },
       EXACT_BOTH,
       "v beside the saddle that rises by less than the orbit is off later" },
+    { { FRICTION_ASINH, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL_UNIT,
+        TIMESCALE_SLIP, KINETICS_LINEAR, 0.77105327412860558,
+        0.059042260796760587, 0.11158718251212825, 0.0, 2.532381495498679,
+        0.00022665766280942498, 1.6098687341964385e-05, 0.33348039, 1e-5 },
+      0.34641824066709477322L,
+      { 8.7571222831048825, -12.476813421816816 },
+      EXACT_BOTH,
+      "a step into a bend, most of all that is missed, whose terms of order 6 "
+      "are small" },
 };
 
 #endif

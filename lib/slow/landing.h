@@ -14,11 +14,13 @@ enum { LAYER_X, LAYER_Y, LAYER_TIME, LAYER_SLIP, LAYER_DIM };
  * on. */
 enum { LANDING_FOURTH = EXPLICIT8_TERMS, LANDING_TERMS };
 
-/* The terms of a step `across` the orbit, to its left, and of time and slip
- * where it has come as far along; by how much rounding moves it across; and
- * what it makes of a unit across at its start: `left` of it, and more of time
- * and slip. */
+/* A step of length h: its terms `across` the orbit, to its left, and of time
+ * and slip where it has come as far along; by how much rounding moves it
+ * across; and what it makes of a unit across at its start: `left` of it, and
+ * more of time and slip. */
 struct landing_step {
+    struct vec2 from;
+    double h;
     double across[LANDING_TERMS];
     double time[LANDING_TERMS], slip[LANDING_TERMS];
     double digits;

@@ -8,12 +8,15 @@
  * where both may cancel: an orbit that is late where it lands, having come
  * further along the curve, is not late.  blur is what is not known of t; the
  * largest is that of several estimates of e, for each of them may point another
- * way, or vanish. */
+ * way, or vanish.  Both of order 6 may be small by chance, or because terms do
+ * not fall: where they are, on a step that makes more of a sum than all others
+ * together, two halves of the step tell as well. */
 #include "landing_weigh.h"
 
 #include <float.h>
 #include <math.h>
 
+#include "landing_halves.h"
 #include "slow_tolerance.h"
 
 /* What a unit across makes of all to come, and how well that is known. */
@@ -63,49 +66,111 @@ double landing_missed(const double size[LANDING_TERMS], double apart)
            smaller(larger(square * sqrt(square), next), TOL_LAYER_FALL);
 }
 
-/* What a step misses of one thing and of what t makes of another, by the terms
- * of both. */
-static inline double missed_of(const double of[], const double across[],
-                               const struct weight *t)
+/* Of one number: what a unit across makes of all of it to come, what steps and
+ * rounding have made of it so far, and the largest of what one step missed. */
+struct sum {
+    struct weight w;
+    double bar, most;
+    const struct landing_step *step;
+    struct weight at_step;
+};
+
+/* What step m misses of one thing and of what the sum's weight makes of
+ * another, by the terms of both. */
+static inline void add_step(struct sum *s, const struct landing_step *m,
+                            const double of[])
 {
+    const double t = s->w.value, *across = m->across;
     const double apart =
-        fabs(of[0] - of[1]) + fabs(t->value * (across[0] - across[1]));
+        fabs(of[0] - of[1]) + fabs(t * (across[0] - across[1]));
     double size[LANDING_TERMS], most = 0.0;
 
     for (int n = 0; n < LANDING_TERMS; n++)
-        size[n] = fabs(of[n]) + fabs(t->value * across[n]);
+        size[n] = fabs(of[n]) + fabs(t * across[n]);
     for (int n = 0; n < EXPLICIT8_TERMS; n++)
-        most = larger(most, fabs(of[n] + t->value * across[n]) +
-                                t->blur * fabs(across[n]));
-    return landing_missed(size, apart) * most;
+        most = larger(most, fabs(of[n] + t * across[n]) +
+                                s->w.blur * fabs(across[n]));
+    const double missed = landing_missed(size, apart) * most;
+    if (missed > s->most) {
+        s->most = missed;
+        s->step = m;
+        s->at_step = s->w;
+    }
+    s->bar += missed + fabs(t) * m->digits;
+}
+
+/* Of a number: so much of time and of slip. */
+struct parts {
+    double time, slip;
+};
+
+/* Whether the largest step makes more than all others, its terms grow from
+ * order 6 to 7, and both of order 6 are far smaller than those of orders 4 and
+ * 7 say. */
+static bool is_doubtful(const struct sum *s, struct parts p)
+{
+    const struct landing_step *m = s->step;
+    double size[LANDING_TERMS];
+
+    if (!(2.0 * s->most > s->bar))
+        return false;
+    for (int n = 0; n < LANDING_TERMS; n++)
+        size[n] = fabs(p.time * m->time[n] + p.slip * m->slip[n]) +
+                  fabs(s->at_step.value * m->across[n]);
+    const double seventh = size[2], r = seventh / larger(size[0], size[1]);
+    const double other = seventh / size[LANDING_FOURTH];
+    return r > 1.0 && r * r * r > TOL_LAYER_UNLIKE * other &&
+           other < TOL_LAYER_FALL;
+}
+
+/* By halves of that step; *halved: the step of *e, mostly the same one. */
+static void weigh_halves(struct sum *s, const struct landing *l, struct parts p,
+                         const struct landing_step **halved,
+                         struct landing_halves *e)
+{
+    if (!is_doubtful(s, p))
+        return;
+    if (*halved != s->step)
+        *e = landing_halve(l->curve->slider, s->step->from, s->step->h);
+    *halved = s->step;
+    const double off = p.time * e->time + p.slip * e->slip;
+    const double missed =
+        TOL_BAR_FIRST_ORDER * (fabs(off + s->at_step.value * e->across) +
+                               s->at_step.blur * fabs(e->across));
+
+    s->bar += larger(missed - s->most, 0.0);
 }
 
 struct landing_bar landing_weigh(const struct landing *l,
                                  const struct landing_slope *across, double v)
 {
-    struct weight t = { across->time, 0.0 }, x = { across->slip, 0.0 };
-    struct landing_bar bar = { l->time_error, l->slip_error,
-                               l->slip_error + v * l->time_error };
+    struct sum time = { .w = { across->time, 0.0 }, .bar = l->time_error };
+    struct sum slip = { .w = { across->slip, 0.0 }, .bar = l->slip_error };
+    struct sum more = { .bar = l->slip_error + v * l->time_error };
+    const struct landing_step *halved = NULL;
+    struct landing_halves e;
 
     for (size_t k = l->out->steps; k-- > 0;) {
         const struct landing_step *m = &l->step[k];
-        const struct weight more = { x.value - v * t.value,
-                                     x.blur + v * t.blur };
         double late[LANDING_TERMS];
         for (int j = 0; j < LANDING_TERMS; j++)
             late[j] = m->slip[j] - v * m->time[j];
-        bar.time +=
-            missed_of(m->time, m->across, &t) + fabs(t.value) * m->digits;
-        bar.slip +=
-            missed_of(m->slip, m->across, &x) + fabs(x.value) * m->digits;
-        bar.more +=
-            missed_of(late, m->across, &more) + fabs(more.value) * m->digits;
-        weight_before(&t, m->left, m->time_gain);
-        weight_before(&x, m->left, m->slip_gain);
+        more.w.value = slip.w.value - v * time.w.value;
+        more.w.blur = slip.w.blur + v * time.w.blur;
+        add_step(&time, m, m->time);
+        add_step(&slip, m, m->slip);
+        add_step(&more, m, late);
+        weight_before(&time.w, m->left, m->time_gain);
+        weight_before(&slip.w, m->left, m->slip_gain);
     }
-    bar.time += fabs(t.value) * l->start + l->start_time;
-    bar.slip += fabs(x.value) * l->start + l->start_slip;
-    bar.more += fabs(x.value - v * t.value) * l->start +
-                fabs(l->start_slip - v * l->start_time);
-    return bar;
+    weigh_halves(&time, l, (struct parts){ 1.0, 0.0 }, &halved, &e);
+    weigh_halves(&slip, l, (struct parts){ 0.0, 1.0 }, &halved, &e);
+    weigh_halves(&more, l, (struct parts){ -v, 1.0 }, &halved, &e);
+    const double t = time.w.value, x = slip.w.value;
+    return (struct landing_bar){
+        time.bar + fabs(t) * l->start + l->start_time,
+        slip.bar + fabs(x) * l->start + l->start_slip,
+        more.bar + fabs(x - v * t) * l->start +
+            fabs(l->start_slip - v * l->start_time),
+    };
 }

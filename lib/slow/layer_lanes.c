@@ -321,6 +321,8 @@ static void keep(struct bundle *b, int l, const struct steps *m)
     if (at->options.peaks)
         find_peaks(b, l, m, fmax(m->left[l], 1.0) * before + across);
     *to = (struct landing_step){
+        .from = landing_place(at),
+        .h = b->h[l],
         .digits = m->digits[l],
         .left = m->left[l],
         .time_gain = m->carried[0][l],

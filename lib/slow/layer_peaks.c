@@ -7,26 +7,11 @@
 
 #include "crest.h"
 #include "explicit8_table.h"
+#include "landing_halves.h"
 #include "slider.h"
 #include "slow_tolerance.h"
 
 enum { COEFS = EXPLICIT8_DEGREE + 1, LAST = EXPLICIT8_STAGES };
-
-/* d(x, y, t, slip)/ds, s the arc length. */
-static void along(const void *ctx, double s, const double u[], double du[])
-{
-    const struct slider *slider = ctx;
-    struct planar_field f;
-
-    (void) s;
-    slider->plane.system.field(slider->plane.system.ctx,
-                               (struct vec2){ u[LAYER_X], u[LAYER_Y] }, &f);
-    const double size = vec2_length(f.direction);
-    du[LAYER_X] = f.direction.x / size;
-    du[LAYER_Y] = f.direction.y / size;
-    du[LAYER_TIME] = exp(-f.log_scale) / size;
-    du[LAYER_SLIP] = exp(slider->block.at.x0 + u[LAYER_X]) * du[LAYER_TIME];
-}
 
 /* A number of a point of the orbit. */
 typedef double point_value(const struct block *b, struct vec2 z);
@@ -82,7 +67,7 @@ static void raise_on(const struct landing *l, double h,
                      const double u1[], double error_of, struct layer_peak *p)
 {
     const struct slider *slider = l->curve->slider;
-    const struct ode ode = { LAYER_DIM, along, slider };
+    const struct ode ode = { LAYER_DIM, landing_along, slider };
     const double tol = l->options.rtol, atol[LAYER_DIM] = { tol, tol, 1., 1. };
     struct explicit8 work = *stages;
     struct arc a = { &slider->block, value, { 0.0 } };
@@ -105,7 +90,7 @@ static void raise_on(const struct landing *l, double h,
         doubt = fabs(here - top);
         if (doubt <= tol)
             break;
-        along(slider, 0.0, mid, work.k[LAST]);
+        landing_along(slider, 0.0, mid, work.k[LAST]);
         if (is_rising(&a, mid, work.k[LAST])) {
             memcpy(u, mid, sizeof u);
             memcpy(work.k[0], work.k[LAST], sizeof work.k[0]);

@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-#include "check.h"
+#include "landing_halves.h"
+#include "place.h"
 #include "slow_tolerance.h"
 
 enum { STEPS = 3 };
@@ -90,6 +91,55 @@ static void what_steps_make_of_a_miss_is_known_to_a_part(void **state)
                 alone * 1e-9 * (2.0 + 3.5 + TOL_LAYER_BLUR * (2.0 + 3.5)));
 }
 
+/* A place, and a step there. */
+static const struct vec2 start = { 3.0, 1.0 };
+static const double length = 0.5;
+
+static void halves_differ_by_the_ninth_power_of_the_step(void **state)
+{
+    struct place p;
+
+    (void) state;
+    place_make(&p, "spinodal_gen", "0.34");
+    const struct landing_halves whole =
+        landing_halve(&p.s.study.slider, start, length);
+    const struct landing_halves half =
+        landing_halve(&p.s.study.slider, start, 0.5 * length);
+    const double r[] = { whole.across / half.across, whole.time / half.time,
+                         whole.slip / half.slip };
+    for (int i = 0; i < 3; i++)
+        CHECK(r[i] > 256.0 && r[i] < 1024.0, "%d: %g", i, r[i]);
+    place_drop(&p);
+}
+
+/* Of order 6 there is nearly none, beside orders 4 and 7. */
+static void a_step_of_most_of_a_sum_whose_terms_do_not_fall_is_halved(
+    void **state)
+{
+    struct landing_step step[STEPS] = { exact, exact, exact };
+    struct layer out = { .steps = STEPS };
+    struct place p;
+
+    (void) state;
+    place_make(&p, "spinodal_gen", "0.34");
+    const struct landing l = { .curve = &p.c, .step = step, .out = &out };
+    const struct landing_halves d =
+        landing_halve(&p.s.study.slider, start, length);
+    step[1].from = start;
+    step[1].h = length;
+    step[1].across[0] = step[1].across[1] = 1e-25;
+    step[1].across[2] = 1e-20;
+    step[1].across[LANDING_FOURTH] = 1e-17;
+    const struct landing_bar bar = landing_weigh(&l, &slope, 0.0);
+    check_close(bar.time, 2.0 * fabs(d.time + 7.0 * d.across));
+    check_close(bar.slip, 2.0 * fabs(d.slip - 3.0 * d.across));
+    step[2].across[0] = 1e-20;
+    const double largest = alone * 1e-20 * 7.0;
+    const double time = landing_weigh(&l, &slope, 0.0).time;
+    CHECK(time > largest && time < 1.001 * largest, "%g", time);
+    place_drop(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -99,6 +149,9 @@ int main(void)
         cmocka_unit_test(an_estimate_that_vanishes_is_outdone_by_the_others),
         cmocka_unit_test(what_is_late_for_being_aside_is_not_late),
         cmocka_unit_test(what_steps_make_of_a_miss_is_known_to_a_part),
+        cmocka_unit_test(halves_differ_by_the_ninth_power_of_the_step),
+        cmocka_unit_test(
+            a_step_of_most_of_a_sum_whose_terms_do_not_fall_is_halved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
