@@ -140,16 +140,36 @@ struct trajectory_options trajectory_defaults(const struct planar *system,
     return o;
 }
 
+/* To its end, or until it is a closed orbit as far as numbers tell. */
+static enum status run_orbit(struct orbit *o, const struct planar *system,
+                             const struct arrival_scale *closes)
+{
+    struct winding w = { .noise = o->options.rtol };
+    enum status s = STATUS_OK;
+
+    if (closes == NULL)
+        return orbit_run(o, NULL);
+    while (s == STATUS_OK && o->end == ORBIT_RUNNING &&
+           !winding_is_closed(&w, closes)) {
+        s = orbit_step(o);
+        if (s == STATUS_OK)
+            (void) winding_add(&w, system, closes, &o->curve,
+                               o->curve.count - 1, NULL, 0);
+    }
+    return s;
+}
+
 /* Fills everything but t->start. */
 static void run_one(const struct planar *system,
-                    const struct orbit_options *options, struct trajectory *t)
+                    const struct orbit_options *options,
+                    const struct arrival_scale *closes, struct trajectory *t)
 {
     struct orbit o;
 
     t->status =
         orbit_init(&o, system, vec2_sub(t->start, system->origin), options);
     if (t->status == STATUS_OK)
-        t->status = orbit_run(&o, NULL);
+        t->status = run_orbit(&o, system, closes);
     t->curve = o.curve; /* now ours */
     o.curve = CURVE_EMPTY(o.curve.dim);
     t->end = o.end;
@@ -180,7 +200,7 @@ static enum status run_batch(const struct plan *p, struct trajectories *out,
         return STATUS_STOPPED;
 #pragma omp parallel for schedule(dynamic, 1) if (to - from > 1)
     for (size_t i = from; i < to; i++)
-        run_one(p->system, &p->orbit, &out->at[i]);
+        run_one(p->system, &p->orbit, p->options->closes, &out->at[i]);
     for (size_t i = from; i < to; i++) {
         out->evaluations += out->at[i].evaluations;
         if (is_fatal(out->at[i].status))

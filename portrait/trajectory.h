@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "arrival.h"
 #include "orbit.h"
 #include "window.h"
 
@@ -28,7 +29,9 @@ struct trajectory_options {
     const struct trajectory_drawn *drawn; /* borrowed: what else a spread keeps
                                              away from */
     size_t drawn_count;
-    const struct monitor *monitor; /* borrowed, may be NULL */
+    const struct arrival_scale *closes; /* borrowed; NULL: no orbit ends where
+                                           it has come back to its start */
+    const struct monitor *monitor;      /* borrowed, may be NULL */
 };
 
 /* orbit_defaults with the limits of tolerance.h, seed 0. */
@@ -39,7 +42,7 @@ struct trajectory {
     struct vec2 start;  /* absolute */
     struct curve curve; /* owned; components as in orbit.h; empty where the
                            start is the end */
-    enum orbit_end end; /* ORBIT_RUNNING: see status */
+    enum orbit_end end; /* ORBIT_RUNNING: it has closed, or see status */
     size_t end_index;
     enum status status;          /* STATUS_OK; STATUS_TOO_MANY_STEPS or
                                     STATUS_NO_CONVERGENCE where the orbit was given up:

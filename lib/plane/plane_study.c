@@ -208,6 +208,8 @@ static struct trajectory_options orbits(const struct plane_study *s,
     o.monitor = monitor;
     if (c->until_time > 0.0)
         o.orbit.reach[0] = backward ? -c->until_time : c->until_time;
+    else
+        o.closes = &s->scale;
     return o;
 }
 
