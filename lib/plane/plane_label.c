@@ -205,11 +205,10 @@ static enum status know_rest(struct plane_study *s, struct plane_goal *goal)
  * where there are so many that no orbit tells of more than its own strip. */
 static enum status know_trap(struct plane_study *s, struct plane_goal *goal)
 {
-    enum { FEW = 8 };
     size_t rest;
 
     if (goal->kind != PLANE_GOAL_NONE || goal->round.count == 0 ||
-        s->rests > s->listed + FEW)
+        s->rests > s->listed + TOL_PLANE_STRIPS)
         return STATUS_OK;
     const enum status status = plane_rest_add(s, goal->round.at[0], &rest);
     if (status == STATUS_OK && rest < s->rests &&

@@ -38,6 +38,19 @@
 #define TOL_PLANE_CELLS 0x1p-4
 #define TOL_PLANE_CELL  0x1p-8
 
+/* Turns (plane_turn.h).  None of these decides whether a turn is a trap, for
+ * the boxes do: they bound the work after which a smaller one has to do.  Steps
+ * of an orbit for one turn; boxes of one sign that a row, or a divergence, may
+ * be parted into; the largest turn is found up to this factor. */
+#define TOL_TURN_STEPS  200
+#define TOL_TURN_BOXES  500
+#define TOL_TURN_FACTOR 1.03
+
+/* Equilibria outside the window that a last look at orbits which came to no end
+ * may find: more of them are rows without end, of which no orbit tells more
+ * than its own strip. */
+#define TOL_PLANE_STRIPS 8
+
 /* Sensitivities: parameters are moved by this part of themselves, so that a
  * difference is off by 1e-18 third derivatives and by 1e9 bars of numbers that
  * are known to 1e-28; the equilibrium is then looked for TOL_BESIDE. */

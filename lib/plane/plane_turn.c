@@ -102,19 +102,22 @@ static void halve(struct box b, struct box half[2])
 }
 
 /* Whether orbits cross all of a part of the row upward (way 1) or downward. */
-static bool crosses(struct turning *g, struct box b, double way, int depth)
+static bool crosses(struct turning *g, struct box b, double way, int *work)
 {
     struct interval_slope_double rate[INTERVAL_RESULTS];
     struct interval_double state[2];
     struct box half[2];
 
     states_of(g, b, state);
-    if (interval_over_double(g->plan, state, rate) == INTERVAL_WHOLE &&
-        fmin(way * rate[1].value.lo, way * rate[1].value.hi) > 0.0)
+    const bool whole =
+        interval_over_double(g->plan, state, rate) == INTERVAL_WHOLE;
+    const double lo = way * rate[1].value.lo, hi = way * rate[1].value.hi;
+    if (whole && fmin(lo, hi) > 0.0)
         return true;
+    if (--*work < 0 || (whole && fmax(lo, hi) <= 0.0))
+        return false;
     halve(b, half);
-    return depth > 0 && crosses(g, half[0], way, depth - 1) &&
-           crosses(g, half[1], way, depth - 1);
+    return crosses(g, half[0], way, work) && crosses(g, half[1], way, work);
 }
 
 /* The divergence of the field over the coordinates that are `taken`, times
@@ -157,11 +160,9 @@ static bool falls(struct turning *g, struct box b, const bool taken[2],
  * which is not 0 at its corner. */
 static bool has_no_cycle(struct turning *g, struct box b)
 {
-    enum { WORK = 500 };
-
     for (int k = 0; k < 4; k++) {
         const bool taken[] = { k % 2 == 1, k / 2 == 1 };
-        int work = WORK;
+        int work = TOL_TURN_BOXES;
         struct interval_double d;
         if ((taken[0] && !g->shows[0]) || (taken[1] && !g->shows[1]))
             continue;
@@ -257,7 +258,6 @@ static double area_of(const struct plane_turn *t)
  * the focus inside and the part of the row between leading there. */
 static enum status go_round(struct turning *g, double size, bool *round)
 {
-    enum { STEPS = 200 };
     const struct vec2 side = g->s->scale.side, start = { size, 0.0 };
     struct plane_turn *t = g->turn;
     struct planar_field f;
@@ -266,6 +266,7 @@ static enum status go_round(struct turning *g, double size, bool *round)
         taylor_orbit_at(system, (struct vec2){ size * side.x, 0.0 }, side,
                         0.01 * TOL_RTOL_DEFAULT);
     bool back = false;
+    int work = TOL_TURN_BOXES;
 
     *round = false;
     t->corners = 0;
@@ -274,7 +275,7 @@ static enum status go_round(struct turning *g, double size, bool *round)
     system->field(system->ctx, (struct vec2){ size * side.x, 0.0 }, &f);
     const double sense = f.direction.y > 0.0 ? 1.0 : -1.0;
     enum status status = add_corner(t, start);
-    while (status == STATUS_OK && !back && o.curve.count < STEPS) {
+    while (status == STATUS_OK && !back && o.curve.count < TOL_TURN_STEPS) {
         status = taylor_orbit_step(&o);
         if (status == STATUS_OK)
             status = add_piece(g, &o.curve, sense, &back);
@@ -290,7 +291,7 @@ static enum status go_round(struct turning *g, double size, bool *round)
         is_inside(t, (struct vec2){ 0.0, 0.0 }, false) &&
         crosses(g,
                 (struct box){ { end.x - noise, 0.0 }, { size + noise, 0.0 } },
-                g->backward ? -sense : sense, 6);
+                g->backward ? -sense : sense, &work);
     return STATUS_OK;
 }
 
@@ -369,7 +370,6 @@ static enum status is_trap_at(struct turning *g, double size, bool *good)
 /* By halves, then, once it is one, by parts of a half. */
 static enum status search(struct turning *g)
 {
-    enum { FINER = 5 };
     const double least = fmax(g->r->trap[g->backward].size, TOL_SEEN);
     double size = 1.0, factor = 0.5;
     bool good = false;
@@ -379,7 +379,7 @@ static enum status search(struct turning *g)
         status = is_trap_at(g, size, &good);
         size *= good ? 1.0 : factor;
     }
-    for (int i = 0; i < FINER && good && status == STATUS_OK; i++) {
+    while (factor * TOL_TURN_FACTOR < 1.0 && good && status == STATUS_OK) {
         bool larger;
         factor = sqrt(factor);
         status = is_trap_at(g, size / factor, &larger);

@@ -14,7 +14,7 @@
 #include "plane_study.h"
 
 /* Fills r->turn, s->rest[..] being all that is known and r one of these: the
- * largest turn, up to a factor of 1.02, none if there is none.
+ * largest turn, up to a factor of TOL_TURN_FACTOR, none if there is none.
  * STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_turn_find(const struct plane_study *s,
                                        struct plane_rest *r);
