@@ -287,29 +287,52 @@ static double last_extent(const struct branch *b)
     return fmax(fabs(d.x), fabs(d.y));
 }
 
+/* Just outside the window. */
+static struct box about_window(const struct following *f)
+{
+    const struct box w = plane_study_box(f->s), far = f->system->domain;
+    const struct vec2 room = vec2_scale(TOL_MARGIN, f->s->scale.side);
+
+    return (struct box){
+        { fmax(far.lo.x, w.lo.x - room.x), fmax(far.lo.y, w.lo.y - room.y) },
+        { fmin(far.hi.x, w.hi.x + room.x), fmin(far.hi.y, w.hi.y + room.y) }
+    };
+}
+
 /* A branch that is lost on a piece that begins in the window is too far out on
  * it, or has run through an equilibrium, behind which it is none: it is grown
- * again by steps half as long as the one that it is lost on, until it is not.
- * The lost piece is left out. */
+ * again to just outside the window, then by steps half as long as the one that
+ * it is lost on, until it is not.  Else the lost piece is left out. */
 static enum status go_nearer(struct following *f, const struct local_series *u,
                              const struct grow_options *options,
                              struct branch *b)
 {
     const struct box w = plane_study_box(f->s);
     struct half *h = &f->half[b->side < 0];
+    struct planar near = *f->system;
     struct grow_options o = *options;
     enum status status = STATUS_OK;
 
+    near.domain = about_window(f);
     o.longest = HUGE_VAL;
     while (status == STATUS_OK && h->lost && b->curve.count > 1 &&
            box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)))) {
         const int side = b->side;
-        o.longest = 0.5 * fmin(o.longest, last_extent(b));
         branch_free(b);
         *h = (struct half){ .end = -1 };
-        status = grow_branch(f->system, u, side, &o, b);
+        status = grow_branch(&near, u, side, &o, b);
+        if (status != STATUS_OK)
+            break;
+        if (h->lost) {
+            o.longest = 0.5 * fmin(o.longest, last_extent(b));
+            continue;
+        }
+        if (h->end >= 0 || b->end != BRANCH_DOMAIN)
+            break;
+        h->lost = true; /* from there on */
+        return STATUS_OK;
     }
-    b->curve.count -= status == STATUS_OK && h->lost && b->curve.count > 1;
+    b->curve.count -= h->lost && b->curve.count > 1;
     return status;
 }
 
