@@ -36,7 +36,7 @@ def ball(u):
 
 class Series:
     def __init__(self, m, r, e):
-        extra = max(map(int.bit_length, m), default=0) - BITS
+        extra = max((x.bit_length() for x in m), default=0) - BITS
         if extra > 0:
             below = (1 << extra) - 1  # nothing is lost where these bits are 0
             r = [(y >> extra) + 2 * ((x | y) & below != 0) for x, y in zip(m, r)]
