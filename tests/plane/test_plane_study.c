@@ -359,6 +359,28 @@ static void ends_outside_are_what_is_on_the_way(void **state)
     }
 }
 
+/* Those about a centre; a focus's go on. */
+static void orbits_that_have_closed_are_drawn_no_further(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c, i ? "x' = y; y' = -x - 1e-4*y" : "x' = y; y' = -x",
+                  "window={x: [-2, 2], y: [-2, 2]}\n"
+                  "products=[trajectories]\ntrajectories.starts=[{x: 0.7, y: "
+                  "0.2}]\n");
+        const struct trajectory *t = &s.portrait.trajectories.at[0];
+        assert_int_equal(t->end, ORBIT_RUNNING);
+        assert_int_equal(t->status, i ? STATUS_TOO_MANY_STEPS : STATUS_OK);
+        double at[CURVE_DIM_MAX];
+        curve_at(&t->curve, t->curve.count - 1, 1.0, at);
+        assert_true(i ? at[2] > 1e3 : at[2] > 6.28 && at[2] < 60.0);
+        plane_end(&s, &c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -374,6 +396,7 @@ int main(void)
         TEST(systems_without_equilibria_are_studied),
         TEST(positive_states_are_logarithms),
         TEST(ends_outside_are_what_is_on_the_way),
+        TEST(orbits_that_have_closed_are_drawn_no_further),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
