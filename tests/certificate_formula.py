@@ -13,12 +13,13 @@ ONE = iv.mpf(1)
 WORD = re.compile(r'\s*((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|\w+|[^\s])')
 NAME = re.compile(r'[A-Za-z_]\w*$', re.ASCII)
 INTERVAL = type(ONE)
+REASON = iv.mpf(2) ** 200
 
 
 def sane(function):
     """For mpmath takes for ever over what a forged formula can make."""
     def run(u):
-        if iv.mpf(2) ** 200 < abs(iv.mpf(u)).b < iv.inf:
+        if REASON < abs(iv.mpf(u)).b < iv.inf:
             raise ArithmeticError('a number beyond reason')
         return function(u)
     return run
