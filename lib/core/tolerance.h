@@ -27,6 +27,9 @@
 /* What rounding does to a coordinate, a logarithm or its exponential, per unit
  * of it: half a unit of its last digit, and as much again of a logarithm. */
 #define TOL_ROUNDING 0x1.8p-53
+/* Sums of time and slip, whose factors have lost digits below 2^-1022, or
+ * vanished, and were multiplied by less than 2^52 since. */
+#define TOL_VANISHING 0x1p-970
 /* Relative: less than this is rounding and says nothing, of slopes, sums and
  * areas as of formulas that are the same: 2^-52 of some hundred terms that
  * cancel in part; where something is, it is larger by decades.  Shares of a

@@ -244,7 +244,8 @@ static struct quantity sum_of(const struct orbit *o, const struct ending *e,
     const double sum = o->u[i] + left;
 
     return quantity_of(sum, bar_at(e, i) + left_error +
-                                TOL_ROUNDINGS * DBL_EPSILON * fabs(sum));
+                                TOL_ROUNDINGS * DBL_EPSILON * fabs(sum) +
+                                TOL_VANISHING);
 }
 
 static void observe_end(const struct slider *s, double v0,

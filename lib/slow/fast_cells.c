@@ -69,9 +69,9 @@ static void fill_integrals(const struct slider *s, double x,
     const double left = square_at_end(s, l, &left_error);
 
     c->slip = l->slip;
-    c->slip_error = l->slip_error + TOL_ROUNDING * l->slip;
+    c->slip_error = l->slip_error + TOL_ROUNDING * l->slip + TOL_VANISHING;
     c->time = l->time;
-    c->time_error = l->time_error + TOL_ROUNDING * l->time;
+    c->time_error = l->time_error + TOL_ROUNDING * l->time + TOL_VANISHING;
     fill_friction(s, x, left, left_error, c);
 }
 
