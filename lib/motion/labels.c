@@ -59,16 +59,14 @@ static bool is_complete(const struct labels *l, const struct branch *b)
            (b->end == BRANCH_DOMAIN && edge <= TOL_SAME);
 }
 
-/* Whether the band lies beyond an end from which the curve may go on. */
-static bool is_beyond(const struct labels *l, const struct band *band)
+/* Whether a row is beyond an end from which the curve may go on. */
+static bool is_beyond(const struct labels *l, double y)
 {
-    const double middle = 0.5 * (band->lo + band->hi);
-
     for (int i = 0; i < 2; i++) {
         const struct branch *b = &l->stable[i];
         const bool above = b->limit.y > 0.0;
         if (b->curve.count > 0 && !is_complete(l, b) &&
-            (above ? middle >= b->limit.y : middle <= b->limit.y))
+            (above ? y >= b->limit.y : y <= b->limit.y))
             return true;
     }
     return false;
@@ -95,8 +93,8 @@ static void label_band(struct labels *l, const struct band *band)
     const size_t n = band->strands;
     const bool below = band->hi <= 0.0, above = band->lo >= 0.0;
 
-    if (is_beyond(l, band) || (!below && !above && n % 2 == 0) ||
-        strays(l, band))
+    if (is_beyond(l, 0.5 * (band->lo + band->hi)) ||
+        (!below && !above && n % 2 == 0) || strays(l, band))
         return;
     for (size_t k = 0; k <= n; k++) {
         const bool slow = below ? (n - k) % 2 == 1 : k % 2 == 0;
@@ -201,12 +199,19 @@ static bool meets(const struct separatrix *s, double w, double at)
     return false;
 }
 
-/* Where the curve runs along a row it may meet it far away, with the bar that
- * it has there: its column tells then. */
-static bool is_in_doubt(const struct labels *l, struct vec2 z)
+/* The slow quadrant is above a column of the saddle's slow side, the fast one
+ * below one of its fast side; from there the sides alternate. */
+static enum fate fate_in_column(const struct labels *l, struct vec2 z)
 {
-    return meets(&l->along[SEPARATRIX_Y], z.y, z.x) &&
-           meets(&l->along[SEPARATRIX_X], z.x, z.y);
+    const struct separatrix *s = &l->along[SEPARATRIX_X];
+    const bool below = z.x > 0.0;
+    bool slow = !below;
+
+    for (size_t i = 0; i < s->count; i++)
+        if (z.x >= s->strand[i].lo && z.x < s->strand[i].hi &&
+            (separatrix_cross(s, i, z.x).at < z.y) == below)
+            slow = !slow;
+    return fate_of_side(l->slider, slow);
 }
 
 static size_t region_at(const struct labels *l, struct vec2 z)
@@ -219,6 +224,18 @@ static size_t region_at(const struct labels *l, struct vec2 z)
         if (z.y >= s->strand[i].lo && z.y < s->strand[i].hi)
             left += z.x >= separatrix_cross(s, i, z.y).at;
     return band->first + left;
+}
+
+/* Where the curve runs along a row it may meet it far away, with the bar that
+ * it has there, and rounding may have it cross none: the column tells then. */
+static bool column_tells(const struct labels *l, struct vec2 z, int8_t row)
+{
+    const struct separatrix *s = &l->along[SEPARATRIX_X];
+
+    return s->count > 0 && row != FATE_UNDECIDED && !meets(s, z.x, z.y) &&
+           !is_beyond(l, z.y) &&
+           (row == REGION_UNLABELLED ||
+            meets(&l->along[SEPARATRIX_Y], z.y, z.x));
 }
 
 /* The quadrants tell as far as the saddle is known. */
@@ -260,10 +277,13 @@ enum status labels_find(const struct labels *l, struct vec2 z,
     const char *slow = none ? none : rest_form_at(&l->slider->block).reason;
     int8_t fate = l->regions.region[region_at(l, z)].label;
 
-    if (is_in_doubt(l, z)) {
+    if (meets(&l->along[SEPARATRIX_Y], z.y, z.x) &&
+        meets(&l->along[SEPARATRIX_X], z.x, z.y)) {
         *out = (struct fate_told){ FATE_UNDECIDED, near, true };
         return STATUS_OK;
     }
+    if (column_tells(l, z, fate))
+        fate = (int8_t) fate_in_column(l, z);
     if (fate == REGION_UNLABELLED)
         fate = label_of_quadrant(l->slider, z);
     if (fate == REGION_UNLABELLED)
