@@ -321,6 +321,15 @@ static const struct {
       EXACT_BOTH,
       "a step into a bend, most of all that is missed, whose terms of order 6 "
       "are small" },
+    { { FRICTION_LOG, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL_UNIT,
+        TIMESCALE_SPINODAL, KINETICS_SINH, 0.369, 0.028615638014764598, 0.0489,
+        0.006896263578840065, 16.335624006312852, 2.0471793963762049e-06, 1e-6,
+        0.3383881, 1e-4 },
+      0.351924294311351573754L,
+      { 7.7909636660799499, -9.3090493273655799 },
+      EXACT_BOTH,
+      "v at the face of a box, which an orbit meets beside where the curve "
+      "does" },
 };
 
 #endif

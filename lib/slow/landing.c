@@ -167,16 +167,13 @@ static bool is_clear(const struct landing *l, const struct slow_point *p,
     return true;
 }
 
-/* How much later or earlier a box is entered because the orbit is still beside
- * the curve then. */
-static double delay(const struct landing *l, const struct slow_point *p,
-                    double off)
+/* How far beside the curve it still is where that enters a box. */
+static double left_of(const struct landing *l, const struct slow_point *p,
+                      double off)
 {
-    const double folds = p->time * p->fast;
-
-    return l->options.through ? 0.0
-                              : TOL_LAYER_FORGET * fabs(off) * exp(-folds) *
-                                    fabs(p->end_slope);
+    return l->options.through || p->end_slope == 0.0
+               ? 0.0
+               : TOL_LAYER_FORGET * fabs(off) * exp(-p->folds);
 }
 
 static bool table_at(const struct landing *l, double y, struct slow_point *p)
@@ -292,7 +289,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double unsaid = fabs(more) * part;
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
-    const double wait = delay(l, p, off);
+    const double left = left_of(l, p, off);
+    const double wait = left * fabs(p->end_slope); /* it enters later */
     const double waste =
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
     const double late = 2.0 * fabs(p->time_slope) * bend;
@@ -328,8 +326,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     out->slip = slip;
     out->time_error = bar.time + late + p->time_error + wait;
     out->slip_error = bar.slip + long_ + p->slip_error + waste;
-    out->x_end_error = p->x_end_error +
-                       (p->end_slope != 0.0 ? wait / fabs(p->end_slope) : 0.0);
+    out->x_end_error = p->x_end_error + left * p->end_aside;
     return true;
 }
 

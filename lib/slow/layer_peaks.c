@@ -178,19 +178,19 @@ static bool mu_rises(const struct landing *l)
  * by now, and along the curve, there is none to come; and of a peak beyond the
  * next knot, higher than all before it can be, only what is left by then. */
 static double mu_to_come(const struct landing *l, const struct slow_point *p,
-                         double y, double *aside)
+                         double y, double off, double *aside)
 {
     const struct block *b = &l->curve->slider->block;
     const double mu = block_mu(b, (struct vec2){ p->x, y });
     const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
     const double near = is_ahead ? fmax(mu, p->mu_near) : mu;
-    const double apart = fabs(mu - block_mu(b, landing_place(l)));
+    const double apart = fabs(off) * (b->steep.x * fabs(p->fibre.x) +
+                                      b->steep.y * fabs(p->fibre.y));
     const double wide = 2.0 * apart + TOL_LAYER_TRANSPORT * l->across *
                                           (b->steep.x + b->steep.y);
 
-    *aside = near + wide < p->mu_peak
-                 ? TOL_LAYER_FORGET * apart * exp(-p->mu_folds)
-                 : wide;
+    *aside = TOL_LAYER_FORGET * fabs(off) * exp(-p->mu_folds) +
+             (near + wide < p->mu_peak ? 0.0 : wide);
     return near == mu && !(p->mu_peak > mu) && !mu_rises(l)
                ? -HUGE_VAL
                : fmax(near, p->mu_peak);
@@ -201,9 +201,8 @@ static double mu_to_come(const struct landing *l, const struct slow_point *p,
 static double x_below(const struct layer *out, const struct slow_point *p,
                       double off)
 {
-    return p->x_peak > p->x
-               ? TOL_LAYER_FORGET * fabs(off * p->fibre.x) * exp(-p->x_folds)
-               : fmax(p->x - out->x.value, 0.0);
+    return p->x_peak > p->x ? TOL_LAYER_FORGET * fabs(off) * exp(-p->x_folds)
+                            : fmax(p->x - out->x.value, 0.0);
 }
 
 /* Of ln v on the curve, which is as accurate as its orbit, but at the end. */
@@ -222,7 +221,7 @@ bool layer_peaks_land(struct landing *l, const struct slow_point *p, double y,
 {
     struct layer *const out = l->out;
     double aside;
-    const double most = mu_to_come(l, p, y, &aside);
+    const double most = mu_to_come(l, p, y, off, &aside);
     const double part = TOL_SHARE * l->options.promise;
     const double below = x_below(out, p, off);
     const double unsure = most + aside > out->mu.value ? aside : 0.0;

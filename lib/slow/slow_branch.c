@@ -229,6 +229,22 @@ static struct slow_knot ending(const struct orbit *o,
     return end;
 }
 
+/* How far off its end an orbit is, having come by the last knot a unit off
+ * along its fibre: at the face of a box it is later, or earlier. */
+static struct vec2 find_end_aside(const struct orbit *o,
+                                  const struct slow_branch *b)
+{
+    const struct slow_knot *k = &b->knot[b->count - 1];
+
+    if (o->end != ORBIT_ARRIVED)
+        return k->fibre;
+    const struct vec2 n = fate_face((struct vec2){ o->u[0], o->u[1] },
+                                    o->options.target[o->end_index]);
+    const double late =
+        (n.x * k->fibre.x + n.y * k->fibre.y) / (n.x * k->x_slope + n.y);
+    return (struct vec2){ k->fibre.x - k->x_slope * late, k->fibre.y - late };
+}
+
 /* Of x where the orbit meets the face of a box of arrest. */
 static double x_error_at_face(const struct slider *s, const struct orbit *o,
                               const struct slow_branch *b)
@@ -426,6 +442,7 @@ static enum status run(const struct slider *s, struct vec2 z,
         status = follow(s, &o, ahead, monitor, b);
     if (status == STATUS_OK && b->count > 2) {
         slow_fit_smooth(b);
+        b->end_aside = find_end_aside(&o, b);
         slow_fit_frictions(s, b);
         compare_bars(&o, b);
         look_back(b);

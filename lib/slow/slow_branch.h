@@ -31,6 +31,7 @@ struct slow_branch {
     enum slow_start start;
     int8_t fate;
     double x_end, x_end_error;
+    struct vec2 end_aside; /* off its end, per unit off along the fibre there */
     const struct saddle_series *near; /* borrowed: of the saddle that the first
                                          knot is beside; NULL: none */
     struct saddle_point first;        /* of the first knot */

@@ -127,26 +127,41 @@ static double mu_near(const void *ctx, double theta)
                     (struct vec2){ saddle_series_x(c->near, y, &ignored), y });
 }
 
-/* The peaks to come, and what settles on the way to them. */
-static void look_for_peaks(struct slow_branch *b)
+/* How far off friction is where the place is. */
+static double mu_aside(const struct slider *s, struct vec2 aside)
 {
-    double x = -HUGE_VAL, mu = -HUGE_VAL, to_x = 0.0, to_mu = 0.0;
+    return s->block.steep.x * fabs(aside.x) + s->block.steep.y * fabs(aside.y);
+}
+
+/* The peaks to come, and what settles on the way to them: at the end of one
+ * that is aside there, friction anywhere on its interval. */
+static void look_for_peaks(const struct slider *s, struct slow_branch *b)
+{
+    struct slow_knot to = { .x_peak = -HUGE_VAL, .mu_peak = -HUGE_VAL };
+    struct vec2 aside = b->end_aside;
 
     for (size_t i = b->count; i-- > 0;) {
         struct slow_knot *k = &b->knot[i];
-        const double folds =
-            i > 0 ? -k->time[0] * fmin(k[-1].fast, k->fast) : 0.0;
-        if (k->x > x) {
-            x = k->x;
-            to_x = 0.0;
+        const struct slow_knot *before = &k[i > 0 ? -1 : 0];
+        const double folds = -k->time[0] * fmin(before->fast, k->fast);
+        if (k->x > to.x_peak) {
+            to.x_peak = k->x;
+            to.x_folds = -log(fabs(aside.x));
         }
-        k->x_peak = x;
-        k->x_folds = to_x;
-        k->mu_peak = mu;
-        k->mu_folds = to_mu;
-        to_x += folds;
-        to_mu = k->mu > mu ? 0.0 : to_mu + folds;
-        mu = fmax(mu, k->mu);
+        k->x_peak = to.x_peak;
+        k->mu_peak = to.mu_peak;
+        k->folds = to.folds;
+        k->x_folds = to.x_folds;
+        k->mu_folds = to.mu_folds;
+        to.folds += folds;
+        to.x_folds += folds;
+        to.mu_folds += folds;
+        if (k->mu > to.mu_peak) {
+            to.mu_peak = k->mu;
+            to.mu_folds =
+                -log(fmax(mu_aside(s, aside), mu_aside(s, before->fibre)));
+        }
+        aside = before->fibre;
     }
 }
 
@@ -168,7 +183,7 @@ void slow_fit_frictions(const struct slider *s, struct slow_branch *b)
             k[i].mu_y = c.from->y + at * (c.to->y - c.from->y);
         }
     }
-    look_for_peaks(b);
+    look_for_peaks(s, b);
 }
 
 /* Of the largest friction to come, by that of each interval that may hold it.

@@ -13,7 +13,7 @@ void slow_fit_smooth(struct slow_branch *b);
 
 /* The largest friction on the way to each knot, and the peaks to come.  Where
  * steps are short the curve is better than what they say between their ends,
- * off it, where friction balances gravity. */
+ * off it, where friction balances gravity.  b->end_aside is known. */
 void slow_fit_frictions(const struct slider *s, struct slow_branch *b);
 
 /* Errors of the intervals, by what polynomials over two steps miss: of time and

@@ -25,8 +25,10 @@ struct slow_knot {
     double mu, mu_error; /* largest on the way to this knot */
     double mu_y;         /* where that is */
     double x_peak, mu_peak, mu_peak_error; /* from here on */
-    double x_folds, mu_folds; /* integrals of fast from here to x_peak, and to
-                                 the interval of mu_peak */
+    double folds;             /* the integral of fast from here to the end */
+    double x_folds, mu_folds; /* to x_peak, and to the interval of mu_peak, less
+                                 ln of what x, and friction, is off there where
+                                 the orbit is one off along the fibre */
 };
 
 /* At the offset u = (x, y) of the slider's system, with the slope dx/dy of the

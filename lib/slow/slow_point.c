@@ -28,12 +28,25 @@ static struct slow_point common(const struct slow_branch *b,
         .end_slope = isfinite(b->x_end) ? b->knot[b->count - 1].time[1] : 0.0,
         .x_peak = next->x_peak,
         .mu_peak = next->mu_peak,
+        .end_aside = fabs(b->end_aside.x),
+        .folds = next->folds,
         .x_folds = next->x_folds,
         .mu_folds = next->mu_folds,
         .mu_near = next->mu,
         .mu_y = next->mu_y,
         .mu_error = fmax(next->mu_error, next->mu_peak_error),
     };
+}
+
+/* What p forgets on its way to the next knot, at least at the rate `fast`. */
+static void add_folds(double fast, const struct slow_knot *next,
+                      struct slow_point *p)
+{
+    const double folds = fmax(p->time - next->time[0], 0.0) * fast;
+
+    p->folds += folds;
+    p->x_folds += folds;
+    p->mu_folds += folds;
 }
 
 static bool is_between(double centre, double end, double y)
@@ -69,6 +82,7 @@ static void near(const struct slow_branch *b, double y, struct slow_point *p)
     p->slip = k->slip[0] + u->v * fold + at.q - b->first.q;
     p->time_slope = -(at.p_y + at.p_x * at.x_slope) / (at.p * u->lambda);
     p->slip_slope = u->v * p->time_slope + at.q_y + at.q_x * at.x_slope;
+    add_folds(fmin(u->fast, k->fast), k, p);
     const double error = (at.p_error / fabs(at.p) + TOL_ROUNDED) / u->lambda +
                          u->lambda_error * fabs(fold);
     p->time_error += error;
@@ -128,6 +142,7 @@ static void inside(const struct slow_branch *b, size_t i, double y,
     p->fibre.y += t * (g->fibre.y - f->fibre.y);
     p->time = slow_quintic(f->time, g->time, h, t, &p->time_slope);
     p->slip = slow_quintic(f->slip, g->slip, h, t, &p->slip_slope);
+    add_folds(fmin(f->fast, g->fast), g, p);
 }
 
 /* ---- points -------------------------------------------------------------- */
