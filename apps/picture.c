@@ -50,11 +50,7 @@ static struct vec2 shown(const struct picture *p, struct vec2 z)
 
     if (p->axes == AXES_EIGEN)
         return eigen_coordinates(p->view.basis, z);
-    const double y = b->at.y0 + z.y;
-    return shown_value(
-        p,
-        (struct vec2){ b->at.v0 * exp(z.x),
-                       law_psi_is_log(&b->law) ? y : b->at.psi0 * exp(z.y) });
+    return shown_value(p, (struct vec2){ block_v(b, z.x), block_psi(b, z.y) });
 }
 
 /* ---- axes ---------------------------------------------------------------- */

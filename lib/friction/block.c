@@ -115,6 +115,24 @@ struct vec2 block_offset(const struct block *b, double v, double psi)
                           (double) (y - b->y) };
 }
 
+/* a e^u, where e^u may be no double and the product is. */
+static double times_exp(double a, double u)
+{
+    const double e = exp(u), half = exp(0.5 * u);
+
+    return isnormal(e) ? a * e : a * half * half;
+}
+
+double block_v(const struct block *b, double x)
+{
+    return times_exp(b->at.v0, x);
+}
+
+double block_psi(const struct block *b, double y)
+{
+    return law_psi_is_log(&b->law) ? b->at.y0 + y : times_exp(b->at.psi0, y);
+}
+
 struct planar block_planar(const struct block *b)
 {
     const bool is_log = law_psi_is_log(&b->law);

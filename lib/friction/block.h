@@ -77,6 +77,10 @@ struct planar block_planar(const struct block *b);
  * digits than a difference of logarithms has. */
 struct vec2 block_offset(const struct block *b, double v, double psi);
 
+/* v and psi at these offsets from the anchor. */
+double block_v(const struct block *b, double x);
+double block_psi(const struct block *b, double y);
+
 /* At least |d psi_ss/d ln v| at the anchor. */
 double block_psi_slope(const struct block *b);
 

@@ -176,7 +176,7 @@ static struct rest_left left_beyond(const struct slider *s,
 {
     const struct vec2 z = { o->u[0], o->u[1] };
     const double power = rest_form_at(&s->block).power;
-    const double v = s->block.at.v0 * exp(z.x);
+    const double v = block_v(&s->block, z.x);
     const double time = power * exp(z.x - s->block.at.log_inertia) /
                         moment_excess_friction(s, z);
     const double slip = v * time / (1.0 + power);
@@ -272,7 +272,7 @@ static void observe_end(const struct slider *s, double v0,
     }
     out->slip = sum_of(o, &e, 3 + BLOCK_SLIP, left.slip, left.slip_error);
     out->mu_mean =
-        fate_mean_friction(s, v0, arrived ? s->block.at.v0 * exp(o->u[0]) : 0.0,
+        fate_mean_friction(s, v0, arrived ? block_v(&s->block, o->u[0]) : 0.0,
                            arrived ? bar_at(&e, 0) + e.level : 0.0, &out->slip);
 }
 
@@ -308,7 +308,7 @@ void fate_least(const struct slider *s, struct vec2 z, double least[])
 {
     const bool may_rest = (slider_saddle(s) == 0 || s->plane.equilibria == 0) &&
                           fate_at_rest(s) == FATE_REST_FINITE;
-    const double v = s->block.at.v0 * exp(z.x);
+    const double v = block_v(&s->block, z.x);
     const double eps2 = material_eps2(&s->block.material);
     const double stop = may_rest ? TOL_LITTLE * eps2 * v : 0.0;
 

@@ -280,12 +280,6 @@ static struct quantity compare(const struct orbit *o, double coarse,
                                  rounding_along(o) * fabs(fine));
 }
 
-static double psi_of(const struct slider *s, double y)
-{
-    return s->plane.system.axis[1].is_log ? s->block.at.psi0 * exp(y)
-                                          : s->block.at.y0 + y;
-}
-
 /* A critical velocity has a bar of its own. */
 static double level_error(const struct slider *s, enum moment what)
 {
@@ -327,16 +321,17 @@ static struct transient_event event_at(const struct slider *s,
                                        const struct event_hit *fine,
                                        enum moment what)
 {
-    const double *c = coarse->u, *f = fine->u, v0 = s->block.at.v0;
+    const double *c = coarse->u, *f = fine->u;
+    const struct block *b = &s->block;
     const struct vec2 zc = { c[0], c[1] }, zf = { f[0], f[1] };
     struct transient_event e = {
         .what = (int8_t) what,
         .level = w->watch[fine->which].level,
         .time = compare(o, c[2], f[2]),
         .slip = compare(o, c[3 + BLOCK_SLIP], f[3 + BLOCK_SLIP]),
-        .v = compare(o, v0 * exp(c[0]), v0 * exp(f[0])),
-        .psi = compare(o, psi_of(s, c[1]), psi_of(s, f[1])),
-        .mu = compare(o, block_mu(&s->block, zc), block_mu(&s->block, zf)),
+        .v = compare(o, block_v(b, c[0]), block_v(b, f[0])),
+        .psi = compare(o, block_psi(b, c[1]), block_psi(b, f[1])),
+        .mu = compare(o, block_mu(b, zc), block_mu(b, zf)),
     };
 
     add_step_errors(s, w, o, fine, &e);

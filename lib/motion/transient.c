@@ -146,7 +146,7 @@ static struct totals totals_of(const struct course *c, const struct orbit *o)
     const enum transient_end end = end_of(c, o);
     struct rest_left left = { .time = 0.0 };
     const bool rest = course_rests(c, o, &left);
-    const double v1 = rest ? 0.0 : b->at.v0 * exp(o->u[0]);
+    const double v1 = rest ? 0.0 : block_v(b, o->u[0]);
     struct totals all;
 
     if (end == TRANSIENT_FADED)

@@ -159,10 +159,9 @@ double slider_energy_defect(const struct slider *s, const struct curve *c)
 
     curve_at(c, 0, 0.0, first);
     curve_at(c, c->count - 1, 1.0, last);
-    return block_energy_defect(&s->block, s->block.at.v0 * exp(first[0]),
-                               s->block.at.v0 * exp(last[0]),
-                               last[slip] - first[slip],
-                               last[work] - first[work]);
+    return block_energy_defect(
+        &s->block, block_v(&s->block, first[0]), block_v(&s->block, last[0]),
+        last[slip] - first[slip], last[work] - first[work]);
 }
 
 double slider_rounding(const struct slider *s, struct vec2 z)

@@ -75,13 +75,6 @@ static double hermite_defect(const struct sample *a, const struct sample *m,
     return fabs(u - (flat ? m->z.y : m->z.x));
 }
 
-static double psi_of(const struct study *s, double y)
-{
-    return s->slider.plane.system.axis[1].is_log
-               ? s->slider.block.at.psi0 * exp(y)
-               : s->slider.block.at.y0 + y;
-}
-
 static double carried(const struct sample *t, size_t column, double sign)
 {
     return column ? sign * t->at[column] : 0.0;
@@ -96,8 +89,8 @@ static enum status add_branch_row(struct sampler *p, const struct sample *t)
     p->last = t->z;
     const struct branch_row row = {
         .arc = p->arc,
-        .v = p->s->slider.block.at.v0 * exp(t->z.x),
-        .psi = psi_of(p->s, t->z.y),
+        .v = block_v(&p->s->slider.block, t->z.x),
+        .psi = block_psi(&p->s->slider.block, t->z.y),
         .slope = isfinite(t->slope) ? t->slope : (double) NAN,
         .slip = carried(t, c->slip, c->sign),
         .time = carried(t, c->time, c->sign),
@@ -212,9 +205,8 @@ static enum status curve_rows_nullcline(const struct study *s,
             arc += vec2_length(vec2_sub(line->at[i], line->at[i - 1]));
         const struct vec2 z =
             vec2_sub(line->at[i], s->slider.plane.system.origin);
-        const struct nullcline_row row = { arc,
-                                           s->slider.block.at.v0 * exp(z.x),
-                                           psi_of(s, z.y) };
+        const struct nullcline_row row = { arc, block_v(&s->slider.block, z.x),
+                                           block_psi(&s->slider.block, z.y) };
         status = rows_push(r, &row);
     }
     return status;
@@ -263,8 +255,8 @@ static enum status curve_rows_arrows(const struct study *s, struct rows *r)
         const struct arrow *t = &a->at[i];
         const struct vec2 z = vec2_sub(t->z, s->slider.plane.system.origin);
         const struct arrow_row row = {
-            .v = s->slider.block.at.v0 * exp(z.x),
-            .psi = psi_of(s, z.y),
+            .v = block_v(&s->slider.block, z.x),
+            .psi = block_psi(&s->slider.block, z.y),
             .direction_v = t->direction.x,
             .direction_psi = t->direction.y,
             .log10_speed = t->log10_speed,

@@ -47,9 +47,8 @@ struct trajectory_row sample_row(const struct slider *s, const double u[])
 
     return (struct trajectory_row){
         .time = u[TIME],
-        .v = b->at.v0 * exp(u[0]),
-        .psi = s->plane.system.axis[1].is_log ? b->at.psi0 * exp(u[1])
-                                              : b->at.y0 + u[1],
+        .v = block_v(b, u[0]),
+        .psi = block_psi(b, u[1]),
         .slip = u[SLIP],
         .mu = block_mu(b, (struct vec2){ u[0], u[1] }),
         .work = u[3 + BLOCK_WORK],
@@ -124,11 +123,10 @@ void sample_log_time(const struct slider *s, const struct transient *t,
 {
     const double last = end_of(t, t->curve.count - 1, TIME);
     const double first = first_time(t);
-    const double ratio = log(last / first);
 
     for (size_t i = 0; i < n; i++) {
         const double part = (double) i / (double) (n - 1);
-        const double time = i + 1 < n ? first * exp(ratio * part) : last;
+        const double time = pow(first, 1.0 - part) * pow(last, part);
         row[i] = sample_at_time(s, t, time);
         row[i].time = time;
     }
