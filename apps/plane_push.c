@@ -25,20 +25,21 @@ struct job {
 
 /* ---- states -------------------------------------------------------------- */
 
-static const char *name_of(const struct job *j, int axis)
+static const char *name_of(const struct scene *s, int axis)
 {
-    return j->scene->system->state[axis].name;
+    return s->system->state[axis].name;
 }
 
-static bool is_good(const struct job *j, int axis, const char *text, double *x)
+static bool is_good(const struct scene *s, int axis, const char *text,
+                    double *x)
 {
     return number_read(text, x) && fabs(*x) <= 1e300 &&
-           (*x >= 1e-300 || !scene_axis_is_log(j->scene, axis));
+           (*x >= 1e-300 || !scene_axis_is_log(s, axis));
 }
 
-static const char *expected(const struct job *j, int axis)
+static const char *expected(const struct scene *s, int axis)
 {
-    return scene_axis_is_log(j->scene, axis) ? "a number > 0" : "a number";
+    return scene_axis_is_log(s, axis) ? "a number > 0" : "a number";
 }
 
 static enum status make_room(struct job *j, size_t count)
@@ -50,41 +51,37 @@ static enum status make_room(struct job *j, size_t count)
 }
 
 /* Which axis has not been named before; 2: none. */
-static int axis_named(const struct job *j, const char *name,
+static int axis_named(const struct scene *s, const char *name,
                       const bool known[2])
 {
     int i = 0;
 
-    while (i < 2 && (known[i] || strcmp(name, name_of(j, i)) != 0))
+    while (i < 2 && (known[i] || strcmp(name, name_of(s, i)) != 0))
         i++;
     return i;
 }
 
-/* "x=1,y=0.5" */
-static enum status read_single(struct job *j, const char *text,
-                               struct fault *why)
+enum status plane_push_read(const struct scene *s, const char *text,
+                            double state[2], struct fault *why)
 {
     char *copy = strdup(text ? text : ""), *rest = copy, *part;
     bool known[3] = { false, false, false };
-    enum status s = make_room(j, 1);
 
-    while (copy && s == STATUS_OK && (part = strsep(&rest, ",")) != NULL) {
+    while (copy && (part = strsep(&rest, ",")) != NULL) {
         char *value = strchr(part, '=');
         if (value)
             *value++ = '\0';
-        const int i = axis_named(j, part, known);
-        known[i] = i == 2 || (value && is_good(j, i, value, &j->state[0][i]));
-    }
-    if (s == STATUS_OK && !(known[0] && known[1] && !known[2])) {
-        snprintf(why->text, sizeof why->text,
-                 "push: %s%.60s, expected --state %s=A,%s=B, each %s",
-                 text ? "--state " : "no state", text ? text : "",
-                 name_of(j, 0), name_of(j, 1),
-                 expected(j, !known[1] && known[0]));
-        s = STATUS_BAD_ARGUMENT;
+        const int i = axis_named(s, part, known);
+        known[i] = i == 2 || (value && is_good(s, i, value, &state[i]));
     }
     free(copy);
-    return s;
+    if (copy == NULL || (known[0] && known[1] && !known[2]))
+        return copy ? STATUS_OK : STATUS_NO_MEMORY;
+    snprintf(why->text, sizeof why->text,
+             "push: %s%.60s, expected --state %s=A,%s=B, each %s",
+             text ? "--state " : "no state", text ? text : "", name_of(s, 0),
+             name_of(s, 1), expected(s, !known[1] && known[0]));
+    return STATUS_BAD_ARGUMENT;
 }
 
 static enum status read_many(struct job *j, const char *path, struct fault *why)
@@ -96,12 +93,12 @@ static enum status read_many(struct job *j, const char *path, struct fault *why)
     for (size_t row = 0; s == STATUS_OK && row < j->count; row++)
         for (int i = 0; i < 2 && s == STATUS_OK; i++) {
             const struct table_cell *c =
-                table_find(&j->table, row, name_of(j, i));
+                table_find(&j->table, row, name_of(j->scene, i));
             const struct table_cell *at = c ? c : table_at(&j->table, row, 0);
-            if (c == NULL || !is_good(j, i, c->text, &j->state[row][i]))
+            if (c == NULL || !is_good(j->scene, i, c->text, &j->state[row][i]))
                 s = place_blame(table_place(&j->table, at), why,
                                 "no '%s' in this row, expected %s",
-                                name_of(j, i), expected(j, i));
+                                name_of(j->scene, i), expected(j->scene, i));
         }
     return s;
 }
@@ -110,14 +107,14 @@ static enum status read_many(struct job *j, const char *path, struct fault *why)
 
 static json_t *answer_json(const struct job *j, size_t i)
 {
-    json_t *all = json_pack("{s:{s:o, s:o}, s:s}", "state", name_of(j, 0),
-                            json_number(j->state[i][0]), name_of(j, 1),
-                            json_number(j->state[i][1]), "attractor",
-                            j->answer[i].attractor);
+    json_t *all = json_pack("{s:{s:o, s:o}, s:s}", "state",
+                            name_of(j->scene, 0), json_number(j->state[i][0]),
+                            name_of(j->scene, 1), json_number(j->state[i][1]),
+                            "attractor", j->answer[i].attractor);
     char name[80];
 
     for (int k = 0; k < 2; k++) {
-        snprintf(name, sizeof name, "%.70s_kick", name_of(j, k));
+        snprintf(name, sizeof name, "%.70s_kick", name_of(j->scene, k));
         json_object_set_new(all, name, json_quantity(&j->answer[i].kick[k]));
     }
     if (!isnan(j->answer[i].stays))
@@ -133,11 +130,12 @@ static void print_kick(const struct job *j, size_t i, int axis)
     const struct quantity *q = &j->answer[i].kick[axis];
 
     if (q->reason) {
-        printf("  %s_kick: %s\n", name_of(j, axis), q->reason);
+        printf("  %s_kick: %s\n", name_of(j->scene, axis), q->reason);
         return;
     }
     const struct number_bar n = number_with_bar(q->value, q->error);
-    printf("  %s_kick: %s +- %s", name_of(j, axis), n.value.text, n.error.text);
+    printf("  %s_kick: %s +- %s", name_of(j->scene, axis), n.value.text,
+           n.error.text);
     if (isinf(q->spread))
         printf("  (spread not known)");
     else if (!isnan(q->spread))
@@ -147,8 +145,8 @@ static void print_kick(const struct job *j, size_t i, int axis)
 
 static void print_answer(const struct job *j, size_t i)
 {
-    printf("%s = %s, %s = %s: %s\n", name_of(j, 0),
-           number_shortest(j->state[i][0]).text, name_of(j, 1),
+    printf("%s = %s, %s = %s: %s\n", name_of(j->scene, 0),
+           number_shortest(j->state[i][0]).text, name_of(j->scene, 1),
            number_shortest(j->state[i][1]).text, j->answer[i].attractor);
     for (int k = 0; k < 2; k++)
         print_kick(j, i, k);
@@ -200,8 +198,10 @@ enum exit_code plane_push(const struct options *o, const struct scene *scene)
 
     j.asked.products = 1u << PRODUCT_BASINS;
     j.asked.audit = 0;
-    enum status s = o->states ? read_many(&j, o->states, &why)
-                              : read_single(&j, o->state, &why);
+    enum status s =
+        o->states ? read_many(&j, o->states, &why) : make_room(&j, 1);
+    if (s == STATUS_OK && !o->states)
+        s = plane_push_read(scene, o->state, j.state[0], &why);
     if (s == STATUS_OK)
         s = find_answers(&j, o, &why);
     const enum exit_code code =

@@ -20,11 +20,14 @@
 #include "result_units.h"
 #include "scene_units.h"
 #include "state.h"
+#include "system.h"
 #include "table.h"
 #include "text.h"
 #include "text_results.h"
 #include "tolerance.h"
 #include "unit_text.h"
+
+enum { PUSH_SETTING = 224 };
 
 /* What was asked and what was found. */
 struct job {
@@ -409,21 +412,26 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
     return code;
 }
 
-/* --state x=1,y=0.5 as {x: 1, y: 0.5}; what is wrong of it is told later. */
-static void system_setting(const struct options *o, char text[160])
+/* --state x=1,y=0.5 as {x: 1, y: 0.5}. */
+static enum status system_setting(const struct options *o,
+                                  const struct scene *scene,
+                                  char text[PUSH_SETTING], struct fault *why)
 {
-    size_t n = (size_t) sprintf(text, "ensemble.pushes=[{");
+    const struct system_state *name = scene->system->state;
+    double z[2];
+    const enum status s = plane_push_read(scene, o->state, z, why);
 
-    for (const char *c = o->state; *c && n < 150; c++)
-        n += (size_t) sprintf(text + n, *c == '=' || *c == ',' ? "%c " : "%c",
-                              *c == '=' ? ':' : *c);
-    strcpy(text + n, "}]");
+    if (s == STATUS_OK)
+        snprintf(text, PUSH_SETTING, "ensemble.pushes=[{%s: %s, %s: %s}]",
+                 name[0].name, number_shortest(z[0]).text, name[1].name,
+                 number_shortest(z[1]).text);
+    return s;
 }
 
 /* What was asked as pushes of the scene's ensemble. */
 static enum status push_setting(const struct options *o,
-                                const struct scene *scene, char text[160],
-                                struct fault *why)
+                                const struct scene *scene,
+                                char text[PUSH_SETTING], struct fault *why)
 {
     const struct unit *rate = unit_find("V_star");
     struct scene_start z;
@@ -435,17 +443,15 @@ static enum status push_setting(const struct options *o,
                               "expected --state, --v and --psi, or --from "
                               "creep, or no draws",
                               o->states);
-    if (scene->system) {
-        system_setting(o, text);
-        return STATUS_OK;
-    }
+    if (scene->system)
+        return system_setting(o, scene, text, why);
     const enum status s =
         o->from ? read_kick(o, scene, &p, why) : state_read(o, scene, &z, why);
     if (s == STATUS_OK && !o->from)
-        state_setting(o, "ensemble.pushes", text, 160);
+        state_setting(o, "ensemble.pushes", text, PUSH_SETTING);
     if (s != STATUS_OK || !o->from)
         return s;
-    snprintf(text, 160, "ensemble.pushes=[{from: creep, kick: %s%s}]",
+    snprintf(text, PUSH_SETTING, "ensemble.pushes=[{from: creep, kick: %s%s}]",
              number_shortest(p.v).text,
              unit_text_name(rate, p.is_si ? UNIT_TEXT_SI : UNIT_TEXT_OWN).text);
     return STATUS_OK;
@@ -455,7 +461,8 @@ static enum status push_setting(const struct options *o,
 static enum status read_draws(const struct options *o, struct scene *scene,
                               struct fault *why)
 {
-    char push[160], none[] = "ensemble.numbers=[]", *more[] = { none, push };
+    char push[PUSH_SETTING], none[] = "ensemble.numbers=[]",
+                             *more[] = { none, push };
     enum status s = drawn_check(o, scene, why);
 
     if (s != STATUS_OK || !scene->ensemble.is_drawn ||

@@ -391,6 +391,10 @@ def a_push_of_an_uncertain_system_has_a_spread(room):
            ['states'][0]['attractor_linear'] == found['attractor_linear'])
     refused(room.run('push', 'd.yaml', '--states', 's.csv', *scattered,
                      '--draws', '10'), 2, 'draws are of one state')
+    long = 'x=1.6{0},y=0.95{0}'.format('0' * 150)
+    expect(push(*scattered, '--draws', '64', state=long) == found, long)
+    refused(room.run('push', 'd.yaml', '--state', 'x=1.6}]', *scattered,
+                     '--draws', '10'), 2, '--state x=1.6}]', 'x=A,y=B')
 
 
 def what_sweeps_have_by_name_is_drawn(room):
