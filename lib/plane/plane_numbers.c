@@ -22,9 +22,12 @@ static struct quantity share_of(const struct plane_study *s,
                                         : s->basin.share[label].fraction;
 }
 
+/* Nothing and q is q, with its spread. */
 static struct quantity sum_of(struct quantity p, struct quantity q)
 {
-    return quantity_of(p.value + q.value, p.error + q.error);
+    return p.value == 0.0 && p.error == 0.0
+               ? q
+               : quantity_of(p.value + q.value, p.error + q.error);
 }
 
 /* Sums over all equilibria outside the window, over all else beyond it, or
