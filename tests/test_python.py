@@ -152,6 +152,22 @@ def pushes_are_those_of_the_program(room):
     expect(s.push(v[:0], 1.0).fate.shape == (0,), 'no states')
 
 
+def pushes_of_an_uncertain_material_have_a_spread(room):
+    scatter = '0.0349 +- 0.0005'
+    told = room.json('push', *COMMAND, '--set', 'material.a=' + scatter,
+                     '--v', '100', '--psi', '1')
+    s = slipway.Study(**SLOPE, a=scatter)
+    one, two = s.push(100, 1), s.push([100, 1000], 1)
+    for name in ('slip', 'time', 'mu_mean', 'v_kick', 'psi_kick'):
+        mine = getattr(one, name)
+        expect(same(mine, told[name]), mine, told)
+        spread = told[name].get('spread', math.nan)
+        expect(mine.spread == spread or math.isnan(spread), mine, told)
+        expect(repr(mine.spread) == repr(getattr(two, name)[0].spread), two)
+    expect(one.v_kick.spread > 0 and two.v_kick.spread[1] > 0, one, two)
+    expect(numpy.isnan(slipway.Study(**SLOPE).push([100], 1).v_kick.spread))
+
+
 def sweeps_are_those_of_the_file(room):
     grid = [{'key': 'slope.alpha', 'from': 0.28, 'to': 0.4, 'points': 4},
             {'key': 'material.a', 'values': [0.034, 0.035]}]

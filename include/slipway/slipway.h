@@ -53,8 +53,8 @@ typedef struct slipway_fault {
 /* A computed number: reason is NULL and |truth - value| <= error, in the
  * number's own unit; or it does not exist, both are NaN, and the reason is a
  * plain sentence, valid as long as the handle it came from.  spread: of a study
- * with inputs "X +- S" the standard deviation that they make of it, to first
- * order; infinite where it cannot be told; else NaN. */
+ * or push with inputs "X +- S" the standard deviation that they make of it, to
+ * first order; infinite where it cannot be told; else NaN. */
 typedef struct slipway_number {
     double value, error;
     const char *reason;

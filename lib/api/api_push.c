@@ -1,8 +1,10 @@
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "api.h"
 #include "push.h"
+#include "push_scatter.h"
 
 struct slipway_push {
     struct scene scene;
@@ -20,8 +22,6 @@ slipway_status slipway_push_open(const slipway_scene *scene,
     if (p == NULL)
         return api_fault(why, SLIPWAY_NO_MEMORY, status_text(STATUS_NO_MEMORY));
     slipway_status s = api_read(scene, &p->scene, why);
-    if (s == SLIPWAY_OK)
-        s = api_refuse_scatter(&p->scene, "push", why);
     if (s == SLIPWAY_OK) {
         const struct monitor *m = api_monitor(monitor, &tell);
         enum status status = push_init(&p->push, &p->scene, m, &fault);
@@ -62,6 +62,35 @@ static slipway_status check(const struct push *p, const slipway_state state[],
     return SLIPWAY_OK;
 }
 
+struct asked {
+    const struct push_state *at;
+    size_t count;
+};
+
+/* The same of every material, in V_star. */
+static bool states_of(void *ctx, const struct scene *scene,
+                      const struct slider *slider, struct push_state out[])
+{
+    const struct asked *a = ctx;
+
+    (void) scene;
+    (void) slider;
+    memcpy(out, a->at, a->count * sizeof *out);
+    return true;
+}
+
+static enum status find(const struct push *p, struct asked a,
+                        const struct monitor *monitor,
+                        struct push_answer answer[])
+{
+    const struct push_source same = { states_of, &a };
+    const enum status s = push_find_all(p, a.at, a.count, monitor, answer);
+
+    return s || p->scene->ensemble.scattered == 0
+               ? s
+               : push_scatter_find(p, &same, a.count, monitor, answer);
+}
+
 slipway_status slipway_push_find(const slipway_push *push,
                                  const slipway_state state[], size_t count,
                                  const slipway_monitor *monitor,
@@ -77,8 +106,9 @@ slipway_status slipway_push_find(const slipway_push *push,
     if (s == SLIPWAY_OK) {
         for (size_t i = 0; i < count; i++)
             at[i] = (struct push_state){ state[i].v, state[i].psi };
-        const enum status status = push_find_all(
-            &push->push, at, count, api_monitor(monitor, &tell), found);
+        const enum status status =
+            find(&push->push, (struct asked){ at, count },
+                 api_monitor(monitor, &tell), found);
         s = status == STATUS_OK
                 ? SLIPWAY_OK
                 : api_fault(why, api_status(status), status_text(status));

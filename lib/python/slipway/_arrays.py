@@ -24,9 +24,9 @@ def reals(values):
 
 
 class Numbers(numpy.lib.mixins.NDArrayOperatorsMixin if numpy else object):
-    """An array of numbers: `value` and `error` of the same shape, NaN where
-    there is none, and `reason`, None where there is one.  To numpy it is its
-    values.
+    """An array of numbers: `value`, `error` and `spread` of the same shape, NaN
+    where there is none, and `reason`, None where there is one.  To numpy it is
+    its values.
 
     >>> nan = float('nan')
     >>> both = Numbers.of([Number(1, 0.1), Number(nan, nan, 'why')])
@@ -38,22 +38,25 @@ class Numbers(numpy.lib.mixins.NDArrayOperatorsMixin if numpy else object):
     array([ 2., nan])
     """
 
-    __slots__ = ('value', 'error', 'reason')
+    __slots__ = ('value', 'error', 'reason', 'spread')
 
-    def __init__(self, value, error, reason):
+    def __init__(self, value, error, reason, spread=float('nan')):
         self.value, self.error, self.reason = value, error, reason
+        self.spread = numpy.broadcast_to(spread, value.shape)
 
     @classmethod
     def of(cls, numbers):
         array = arrays().array
         return cls(array([n.value for n in numbers]),
                    array([n.error for n in numbers]),
-                   array([n.reason for n in numbers], object))
+                   array([n.reason for n in numbers], object),
+                   array([n.spread for n in numbers]))
 
     @classmethod
     def told(cls, field):
         """What the library told, a field of struct_type."""
-        return cls(field['value'], field['error'], texts(field['reason']))
+        return cls(field['value'], field['error'], texts(field['reason']),
+                   field['spread'])
 
     @property
     def exists(self):
@@ -79,9 +82,9 @@ class Numbers(numpy.lib.mixins.NDArrayOperatorsMixin if numpy else object):
         return len(self.value)
 
     def __getitem__(self, at):
-        value, error, reason = self.value[at], self.error[at], self.reason[at]
-        kind = Numbers if isinstance(value, numpy.ndarray) else Number
-        return kind(value, error, reason)
+        found = [getattr(self, name)[at] for name in self.__slots__]
+        kind = Numbers if isinstance(found[0], numpy.ndarray) else Number
+        return kind(*found)
 
     def __repr__(self):
         return f'<{self.value.size} numbers, {self.exists.sum()} exist>'
