@@ -36,12 +36,21 @@ static bool may_close(const struct grower *g)
     return hardly_changes(g, fmin(TOL_TAIL_PART * sqrt(g->o->rtol), TOL_SEEN));
 }
 
-bool grow_end_is_open(const struct grower *g)
+/* A limit that was seen to exist does so while the same coordinate goes on: dep
+ * hardly changes from then on. */
+static bool has_limit(struct grower *g)
+{
+    if (g->limited != 1 + g->ind &&
+        limit_exists(g->sys, g->ind, g->toward,
+                     grower_coordinate(g->z, 1 - g->ind)))
+        g->limited = 1 + g->ind;
+    return g->limited == 1 + g->ind;
+}
+
+bool grow_end_is_open(struct grower *g)
 {
     return !is_inside_reach(g) && hardly_changes(g, TOL_SEEN) &&
-           g->toward * g->out.slope_d <= 0.0 &&
-           !limit_exists(g->sys, g->ind, g->toward,
-                         grower_coordinate(g->z, 1 - g->ind));
+           g->toward * g->out.slope_d <= 0.0 && !has_limit(g);
 }
 
 /* The tail adds little to the bars; at the latest where it adds little to the
@@ -92,9 +101,7 @@ bool grow_end_close(struct grower *g)
     if (!may_close(g))
         return false;
     const struct tail_most most = most_of(g);
-    if (!close_at(g, g->z, &g->end, &most, &t) ||
-        !limit_exists(g->sys, g->ind, g->toward,
-                      grower_coordinate(g->z, 1 - g->ind)) ||
+    if (!close_at(g, g->z, &g->end, &most, &t) || !has_limit(g) ||
         !carry_over_tail(g, &t))
         return false;
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;

@@ -9,4 +9,4 @@ bool grow_end_close(struct grower *g);
 
 /* Whether what is left has no limit, though it hardly changes, and the less
  * the further it moves. */
-bool grow_end_is_open(const struct grower *g);
+bool grow_end_is_open(struct grower *g);

@@ -51,6 +51,7 @@ struct grower {
     bool holds;         /* the field at its end, and on the way where that
                            says little, is that of its series */
     bool edge;          /* the step ends on that of the domain */
+    int limited;        /* 1 + ind where its limit was seen to exist */
     int kin;            /* the first of all whose plane is alike */
     struct outward out; /* and what travels there */
     struct graph_series u;

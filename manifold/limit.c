@@ -14,10 +14,12 @@ static double way_to_edge(const struct planar *sys, int ind, int toward)
 bool limit_exists(const struct planar *sys, int ind, int toward, double dep)
 {
     const double way = way_to_edge(sys, ind, toward);
-    const double middle = local_slope(sys, ind, local_point(ind, way / 2, dep));
     const double edge = local_slope(sys, ind, local_point(ind, way, dep));
 
-    return edge == 0.0 || log(middle / edge) > TOL_LIMIT_DECAY * fabs(way / 2);
+    if (edge == 0.0)
+        return true;
+    const double middle = local_slope(sys, ind, local_point(ind, way / 2, dep));
+    return log(middle / edge) > TOL_LIMIT_DECAY * fabs(way / 2);
 }
 
 bool limit_is_none(const struct planar *sys, int ind, int toward, double dep)
