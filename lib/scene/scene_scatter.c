@@ -114,8 +114,8 @@ enum status scene_scatter_refuse(const struct scene *s, const char *what,
     return s->ensemble.scattered > 0
                ? place_blame(scene_scatter_place(s, p, set), why,
                              "%s: %s does not tell what +- makes, expected a "
-                             "number, or knees, portrait, study, basin or "
-                             "ensemble",
+                             "number, or knees, portrait, study, basin, "
+                             "push or ensemble",
                              p->key, what)
                : STATUS_OK;
 }
