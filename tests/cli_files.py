@@ -177,7 +177,8 @@ COMMANDS = {'fig08': 'rabinowicz', 'rabinowicz': 'rabinowicz',
             'fig14': 'simulate', 'fig15': 'simulate'}
 
 
-# Where e^x of an offset from the anchor, or a ratio of times, is no double.
+# Where e^x of an offset from the anchor, a ratio of times, or a slope is no
+# double.
 FAR = {
     'far_state': ['study', '--law', 'kato_tullis', '--friction', 'log',
                   '--alpha', '0.31', '--set', 'material.V_c=78', '--set',
@@ -186,7 +187,9 @@ FAR = {
     'far_times': ['simulate', '--law', 'spinodal_gen', '--friction', 'log',
                   '--set', 'slope.tan_alpha=2.11', '--set', 'gravity=0.0302',
                   '--set', 'material.b=0.0389', '--v', '5.8e-8', '--psi',
-                  '840']}
+                  '840'],
+    'vertical': ['study', '--ode', "u' = u - u^2; w' = atan(u - w)",
+                 '--window', 'u=-0.5:7,w=-2:2.5']}
 
 
 def numbers_are_finite_or_declared_missing(room):

@@ -303,7 +303,7 @@ static void add_branches(const struct plane_study *s, struct plane_table *t,
                       "arc length in the chart, from the saddle");
     plane_table_states(s, t, "*", RECORD_REAL, POINT(at));
     plane_table_field(t, "slope", RECORD_REAL, POINT(slope),
-                      "d second/d first, in the chart");
+                      "d second/d first, in the chart; missing where vertical");
     plane_table_field(t, "error", RECORD_REAL, POINT(error),
                       "bound on the distance to the exact curve, in the chart");
     struct result *r = plane_table_result(

@@ -27,15 +27,16 @@ static enum status add(struct sampler *p, size_t piece, double theta)
     const struct plane_rest *r = &p->s->rest[p->b->rest];
     const struct curve *c = &p->b->curve.curve;
     const struct vec2 z = point(p, piece, theta), at = vec2_add(r->z, z);
-    double along[CURVE_DIM_MAX];
+    double along[CURVE_DIM_MAX], slope;
 
     curve_slope_at(c, piece, theta, along);
+    slope = along[1] / along[0];
     p->arc += vec2_length(vec2_sub(z, p->last));
     p->last = z;
     const struct plane_point row = {
         .arc = p->arc,
         .at = { plane_state(p->s, 0, at.x), plane_state(p->s, 1, at.y) },
-        .slope = along[1] / along[0],
+        .slope = isfinite(slope) ? slope : (double) NAN,
         .error = c->piece[piece].error + vec2_length(r->error),
     };
     return rows_push(p->rows, &row);
