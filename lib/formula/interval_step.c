@@ -55,7 +55,7 @@ static struct interval less(struct interval u, long double x)
     return interval_less(u, point(x));
 }
 
-/* k (e^u - 1) e^-s: k e^u is its own derivative. */
+/* k (e^u - 1) e^-s: k e^u is its own derivative; k = 0: e^(q + u - s). */
 static void growth(const struct interval_run *r, const struct step *s,
                    double scale, struct interval out[])
 {
@@ -66,7 +66,7 @@ static void growth(const struct interval_run *r, const struct step *s,
     const struct interval apart = interval_less(e, k);
 
     interval_exponential(r->n, u, e, out);
-    out[0] = u[0].hi < 700
+    out[0] = u[0].hi < 700 && !interval_is_zero(k)
                  ? interval_both(apart, interval_times(k, interval_expm1(u[0])))
                  : apart;
 }
@@ -448,12 +448,6 @@ void interval_step(struct interval_run *r, int i)
             return;
         case STEP_APART:
             apart(r, s, 0, out);
-            return;
-        case STEP_EXP:
-            interval_exponential(r->n, r->reg[s->a].c,
-                                 interval_exp(interval_add(constant(r, s->q),
-                                                           r->reg[s->a].c[0])),
-                                 out);
             return;
         case STEP_MIXED:
             mixed(r, s, out);

@@ -156,11 +156,8 @@ struct linear linear_grown(struct forms *s, const struct linear *u)
         struct linear part = linear_one(s, reg, 0);
         if (reg >= 2 && s->t->step[reg - 2].kind == STEP_GROWTH) {
             const struct step g = s->t->step[reg - 2];
-            part =
-                linear_one(s,
-                           g.b >= 0 ? linear_step(s, STEP_EXP, g.b, -1, 0, 0)
-                                    : linear_step(s, STEP_EXP, g.a, -1, 0, g.q),
-                           formula_less(s->f, 0, g.k));
+            part = linear_one(s, linear_step(s, STEP_GROWTH, g.a, g.b, 0, g.q),
+                              formula_less(s->f, 0, g.k));
         }
         linear_add(s, &out, u->term[i].c, &part);
     }
@@ -169,14 +166,7 @@ struct linear linear_grown(struct forms *s, const struct linear *u)
 
 int linear_value(struct forms *s, const struct linear *u)
 {
-    const struct linear grown = linear_grown(s, u);
-    const struct formula_node *near = &s->f->node[u->constant],
-                              *far = &s->f->node[grown.constant];
-    const bool less = far->kind == FORMULA_NUMBER &&
-                      far->number * far->number < near->number * near->number;
-    const struct linear *by = less ? &grown : u;
-
-    return emit_form(s, STEP_LINEAR, by, by->constant);
+    return emit_form(s, STEP_LINEAR, u, u->constant);
 }
 
 /* ---- at the anchor ------------------------------------------------------- */
@@ -198,9 +188,10 @@ static bool step_rests(const struct forms *s, const struct step *t,
         case STEP_LINEAR:
         case STEP_SCALED:
             return form_rests(s, &t->form, rests);
-        case STEP_EXP:
         case STEP_SINH:
             return false;
+        case STEP_GROWTH:
+            return t->k && rests[t->a];
         case STEP_APART:
             return formula_is(s->f, t->q, 0.0) && rests[t->a] && rests[t->b];
         case STEP_PRODUCT:

@@ -34,8 +34,7 @@ int linear_reg(struct forms *s, const struct linear *u);
 /* The register of a step; the same step is made once. */
 int linear_step(struct forms *s, enum step_kind kind, int a, int b, int k,
                 int q);
-/* A register that is its value: of growths, or of what grew, by the smaller
- * constant, of which less can cancel. */
+/* A register that is its value. */
 int linear_value(struct forms *s, const struct linear *u);
 /* Whether all its registers are 0 at the anchor. */
 bool linear_rests(const struct forms *s, const struct linear *u);

@@ -71,14 +71,22 @@ static int scale_of(struct formula *f, const struct tape *t,
     return scale;
 }
 
+/* Of k e^-scale. */
+static int growth(struct formula *f, const struct step *s, int k, int scale,
+                  const int reg[])
+{
+    const int l = formula_less(f, grown(f, s, reg), scale);
+
+    return s->k ? call(f, FUNCTION_GROWTH, k, l, reg[s->a]) : exponential(f, l);
+}
+
 /* A growth or an apart times e^-scale. */
 static int shrunk(struct formula *f, const struct step *s, int scale,
                   const int reg[])
 {
     if (s->kind == STEP_GROWTH)
-        return call(f, FUNCTION_GROWTH,
-                    exponential(f, formula_less(f, s->q, scale)),
-                    formula_less(f, grown(f, s, reg), scale), reg[s->a]);
+        return growth(f, s, exponential(f, formula_less(f, s->q, scale)), scale,
+                      reg);
     const int w = formula_sum(f, reg[s->b], s->q);
     return call(f, FUNCTION_APART, s->k, formula_less(f, reg[s->a], scale),
                 formula_less(f, w, scale));
@@ -136,11 +144,9 @@ static int make(struct formula *f, const struct tape *t, const struct step *s,
         case STEP_LINEAR:
             return linear(f, &s->form, reg);
         case STEP_GROWTH:
-            return call(f, FUNCTION_GROWTH, s->k, grown(f, s, reg), u);
+            return growth(f, s, s->k, 0, reg);
         case STEP_APART:
             return call(f, FUNCTION_APART, s->k, u, formula_sum(f, w, s->q));
-        case STEP_EXP:
-            return exponential(f, formula_sum(f, s->q, u));
         case STEP_MIXED:
             return call(f, FUNCTION_MIXED, s->k, s->q, u);
         case STEP_LN1P:

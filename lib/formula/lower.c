@@ -104,19 +104,21 @@ static struct linear make_log(struct lowering *L, int i)
 
 /* ---- themselves ---------------------------------------------------------- */
 
-/* e^u, at the anchor `value` */
+/* e^u, at the anchor `value`: nothing is gained by what it is there where u is
+ * another. */
 static struct linear grown(struct lowering *L, const struct linear *u,
                            int value)
 {
     const struct linear far = linear_grown(&L->s, u);
+    const int k = linear_rests(&L->s, u) ? value : 0;
 
     if (u->terms == 0)
         return linear_constant(value);
     const int b = far.constant == u->constant ? -1 : linear_value(&L->s, &far);
     return linear_one(&L->s,
                       linear_step(&L->s, STEP_GROWTH, linear_reg(&L->s, u), b,
-                                  value, u->constant),
-                      value);
+                                  k, u->constant),
+                      k);
 }
 
 static struct linear growth(struct lowering *L, int i)

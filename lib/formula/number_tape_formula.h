@@ -255,11 +255,11 @@ bool TAPE_KIND(tape_at)(const struct tape *t, const TAPE_CONSTANT constant[],
 
 /* ---- steps --------------------------------------------------------------- */
 
-/* p (e^u - 1), l = u + ln p */
+/* p (e^u - 1), l = u + ln p; p = 0: e^l */
 static TAPE_SCALAR TAPE_KIND(growth)(TAPE_SCALAR p, TAPE_SCALAR l,
                                      TAPE_SCALAR u)
 {
-    return u > 1 ? FN(exp)(l) - p : p * scalar_em1(u);
+    return u > 1 || !(p > 0) ? FN(exp)(l) - p : p * scalar_em1(u);
 }
 
 TAPE_SCALAR TAPE_KIND(tape_step)(const struct TAPE_KIND(tape) * t, int i,
@@ -271,12 +271,10 @@ TAPE_SCALAR TAPE_KIND(tape_step)(const struct TAPE_KIND(tape) * t, int i,
 
     switch (n->kind) {
         case STEP_GROWTH:
-            return TAPE_KIND(growth)(s > 0 ? FN(exp)(q - s) : k,
+            return TAPE_KIND(growth)(s > 0 && k > 0 ? FN(exp)(q - s) : k,
                                      TAPE_KIND(tape_grown)(t, i, r) - s, u);
         case STEP_APART:
             return scalar_difference(k, u - s, w + q - s);
-        case STEP_EXP:
-            return FN(exp)(q + u);
         case STEP_MIXED:
             return scalar_log1p_expm1(k, q, u);
         case STEP_LN1P:

@@ -40,10 +40,9 @@ struct linear {
 /* Step i makes register i + 2; u and w are registers a and b, k and q nodes. */
 enum step_kind {
     STEP_LINEAR,   /* the linear form */
-    STEP_GROWTH,   /* k (e^u - 1), q = ln k; b, if it is there: q + u, made
-                      without the anchor */
+    STEP_GROWTH,   /* e^(q + u) - k, k = e^q or, of what is not 0 at the anchor,
+                      0; b, if it is there: q + u, made without the anchor */
     STEP_APART,    /* k (e^u - e^(w + q)), q = 0 if it is 0 at the anchor */
-    STEP_EXP,      /* e^(q + u), not 0 at the anchor */
     STEP_MIXED,    /* ln(k e^u + q), k + q = 1 */
     STEP_LN1P,     /* ln(1 + u/k) */
     STEP_SINH,     /* e^-|k + u| sinh(k + u) */

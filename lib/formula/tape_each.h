@@ -38,9 +38,8 @@ static inline void each_begin(struct each *e, const void *const ctx[])
 static inline bool each_has(enum step_kind kind)
 {
     return kind == STEP_LINEAR || kind == STEP_GROWTH || kind == STEP_APART ||
-           kind == STEP_EXP || kind == STEP_MIXED || kind == STEP_SINH ||
-           kind == STEP_FRICTION || kind == STEP_PRODUCT ||
-           kind == STEP_QUOTIENT || kind == STEP_SCALED;
+           kind == STEP_MIXED || kind == STEP_SINH || kind == STEP_FRICTION ||
+           kind == STEP_PRODUCT || kind == STEP_QUOTIENT || kind == STEP_SCALED;
 }
 
 static inline bool each_can(const struct real_tape *t)
@@ -113,7 +112,7 @@ static inline struct each_made each_growth(struct each *e, jet_pair p,
                                            jet_pair l, jet_pair u,
                                            jet_pair keep[])
 {
-    const jet_mask large = u > 1.0;
+    const jet_mask large = (u > 1.0) | ~(p > 0.0);
     jet_pair power = JET_PAIR(0.0), out = JET_PAIR(0.0);
 
     if (each_any(large)) {
@@ -165,7 +164,7 @@ static inline struct each_made each_grown(struct each *e,
         return each_apart(e, k, u - s, e->reg[n->b] + q - s, keep);
     if (each_any(s > 0.0)) {
         each_watch(e, q - s);
-        k = jet_choose(s > 0.0, each_exp(q - s), k);
+        k = jet_choose((s > 0.0) & (k > 0.0), each_exp(q - s), k);
     }
     return each_growth(e, k, (n->b >= 0 ? e->reg[n->b] : q + u) - s, u, keep);
 }
@@ -270,12 +269,6 @@ static inline struct each_made each_plain(struct each *e,
     const jet_pair k = each_number(e, &n->k), u = e->reg[n->a];
 
     switch (n->kind) {
-        case STEP_EXP: {
-            const jet_pair exponent = each_number(e, &n->q) + u;
-            each_watch(e, exponent);
-            keep[0] = each_exp(exponent);
-            return (struct each_made){ keep[0], keep[0], JET_PAIR(0.0) };
-        }
         case STEP_MIXED:
             return each_mixed(e, k, each_number(e, &n->q), u, keep);
         case STEP_SINH:

@@ -13,11 +13,14 @@
 
 /* ---- steps --------------------------------------------------------------- */
 
-/* p (e^u - 1), l = u + ln p */
+/* p (e^u - 1), l = u + ln p; p = 0, in all lanes: e^l */
 static inline lanes tape_lanes_growth(lanes p, lanes l, lanes u)
 {
-    const lanes near = p * lanes_em1(u), one = LANES_OF(1.0);
+    const lanes none = LANES_OF(0.0), one = LANES_OF(1.0);
 
+    if (!lanes_any_less(none, p))
+        return lanes_exp(l);
+    const lanes near = p * lanes_em1(u);
     if (!lanes_any_less(one, u))
         return near;
     return lanes_less(one, u, lanes_exp(l) - p, near);
@@ -195,7 +198,7 @@ static inline lanes tape_lanes_scaled(const struct tape_lanes *v, int i, int p)
             continue;
         }
         lanes k = LANES_OF(t->step[r - 2].k);
-        if (t->step[r - 2].kind == STEP_GROWTH)
+        if (t->step[r - 2].kind == STEP_GROWTH && t->step[r - 2].k > 0)
             k = lanes_less(LANES_OF(0.0), s, lanes_exp(t->step[r - 2].q - s),
                            k);
         sum += t->term[j].c * tape_lanes_grown(v, r - 2, p, s, k);
@@ -229,8 +232,6 @@ static inline void tape_lanes_step(struct tape_lanes *v, int i)
         case STEP_GROWTH:
         case STEP_APART:
             EACH(tape_lanes_grown(v, i, p, LANES_OF(0.0), LANES_OF(k)));
-        case STEP_EXP:
-            EACH(lanes_exp(q + u[p]));
         case STEP_MIXED:
             EACH(tape_lanes_mixed(k, q, u[p]));
         case STEP_SINH:

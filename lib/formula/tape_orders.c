@@ -149,7 +149,6 @@ int tape_kind_slots(enum step_kind kind)
         case STEP_SCALED:
             return 0;
         case STEP_GROWTH:
-        case STEP_EXP:
         case STEP_LN1P:
         case STEP_PRODUCT:
         case STEP_QUOTIENT:
@@ -176,14 +175,14 @@ int tape_step_slots(const struct real_tape *t, const struct real_tape_entry *n)
 static enum jet_code code_of(const struct real_tape *t, int i)
 {
     static const enum jet_code code[] = {
-        [STEP_GROWTH] = JET_GROWTH,     [STEP_EXP] = JET_GROWTH,
-        [STEP_APART] = JET_APART,       [STEP_MIXED] = JET_MIXED,
-        [STEP_LN1P] = JET_LN1P,         [STEP_SINH] = JET_SINH,
-        [STEP_FRICTION] = JET_FRICTION, [STEP_SIN] = JET_SIN,
-        [STEP_COSH] = JET_SINH,         [STEP_TAN] = JET_TAN,
-        [STEP_TANH] = JET_TANH,         [STEP_ASIN] = JET_ASIN,
-        [STEP_ATAN] = JET_ATAN,         [STEP_ASINH] = JET_ASINH,
-        [STEP_PRODUCT] = JET_PRODUCT,   [STEP_QUOTIENT] = JET_QUOTIENT,
+        [STEP_GROWTH] = JET_GROWTH,     [STEP_APART] = JET_APART,
+        [STEP_MIXED] = JET_MIXED,       [STEP_LN1P] = JET_LN1P,
+        [STEP_SINH] = JET_SINH,         [STEP_FRICTION] = JET_FRICTION,
+        [STEP_SIN] = JET_SIN,           [STEP_COSH] = JET_SINH,
+        [STEP_TAN] = JET_TAN,           [STEP_TANH] = JET_TANH,
+        [STEP_ASIN] = JET_ASIN,         [STEP_ATAN] = JET_ATAN,
+        [STEP_ASINH] = JET_ASINH,       [STEP_PRODUCT] = JET_PRODUCT,
+        [STEP_QUOTIENT] = JET_QUOTIENT,
     };
     const enum step_kind kind = t->step[i].kind;
 
@@ -208,7 +207,7 @@ static void add_function(struct orders *o, int i, int out, int keep)
 
     op->slot = bytes(o->slots);
     op->keep = bytes(keep);
-    row_of(o, n->kind == STEP_GROWTH || n->kind == STEP_EXP ? n->a : -1);
+    row_of(o, n->kind == STEP_GROWTH ? n->a : -1);
     o->slots += tape_kind_slots(n->kind);
 }
 

@@ -24,12 +24,12 @@ INLINE double less_one(double u, double *power)
     return more;
 }
 
-/* p (e^u - 1) and p e^u; l = u + ln p, if u is large */
+/* p (e^u - 1) and p e^u; l = u + ln p, if u is large; p = 0: e^l twice */
 INLINE double kept_growth(double p, double l, double u, double *power)
 {
     double e;
 
-    if (u > 1) {
+    if (u > 1 || !(p > 0)) {
         *power = exp(l);
         return *power - p;
     }
@@ -160,7 +160,7 @@ INLINE struct made grown(const struct real_tape_entry *n, double s,
     double out;
 
     if (n->kind == STEP_GROWTH) {
-        out = kept_growth(s > 0 ? exp(q - s) : k,
+        out = kept_growth(s > 0 && k > 0 ? exp(q - s) : k,
                           (n->b >= 0 ? reg[n->b] : q + u) - s, u, keep);
         return (struct made){ out, keep[0], 0 };
     }
@@ -176,9 +176,6 @@ INLINE struct made plain(const struct real_tape_entry *n, bool frozen,
     double out;
 
     switch (n->kind) {
-        case STEP_EXP:
-            out = keep[0] = exp(q + u);
-            return (struct made){ out, keep[0], 0 };
         case STEP_MIXED:
             out = kept_mixed(k, q, u, keep);
             return (struct made){ out, keep[0], 0 };
