@@ -93,8 +93,7 @@ unsigned fast_cells_fields(const struct slider *s, enum fate fate)
 }
 
 /* A peak at the start is the start's, to rounding; of others that is in their
- * errors.  No bound of what the curve's friction misses is as small as that of
- * v: no other peak of friction has a bar below the curve's least. */
+ * errors. */
 static void fill_peaks(const struct slider *s, struct vec2 z,
                        const struct layer *l, struct cell *c)
 {
@@ -103,7 +102,6 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
     const double x = s->block.at.x0 + l->x.value;
     const double rounding =
         TOL_ROUNDING * (1.0 + fabs(z.x) + fabs(z.y) + fabs(o.x) + fabs(o.y));
-    const double least = TOL_BAR_FIRST_ORDER * TOL_REST_WRONG * (1.0 + fabs(x));
     const bool fastest = l->falls[0] && l->x.value == from.x;
     const bool hardest = l->falls[1] &&
                          l->mu.value == block_mu(&s->block, from) &&
@@ -114,7 +112,7 @@ static void fill_peaks(const struct slider *s, struct vec2 z,
         c->v_peak * (expm1(layer_peak_error(&l->x)) +
                      TOL_ROUNDING * (fastest ? 1.0 : 1.0 + fabs(x)));
     c->mu_peak = l->mu.value;
-    c->mu_peak_error = (m.x + m.y) * (hardest ? rounding : rounding + least) +
+    c->mu_peak_error = (m.x + m.y) * rounding +
                        (hardest ? 0.0 : layer_peak_error(&l->mu)) +
                        TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(l->mu.value);
 }

@@ -115,6 +115,8 @@ static void arrive(struct landing *l, const struct door *door, double closing,
         slider_rounding(s, (struct vec2){ out->x_end, 0.0 });
     if (du[LAYER_X] > 0.0)
         layer_peak_raise(&out->x, out->x_end, out->x_end_error);
+    if (l->options.peaks)
+        layer_peaks_arrive(l, way, l->across / closing + level);
 }
 
 /* Beside a box: enters it, takes the next step of Newton's method, or passes it

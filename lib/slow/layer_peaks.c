@@ -196,6 +196,23 @@ static double mu_to_come(const struct landing *l, const struct slow_point *p,
                : fmax(near, p->mu_peak);
 }
 
+/* Where it still rises, the end of its last step may lie beyond the face. */
+void layer_peaks_arrive(struct landing *l, double way, double error)
+{
+    const struct block *b = &l->curve->slider->block;
+    const struct vec2 u = landing_place(l), du = landing_way(l);
+    const struct vec2 at = { u.x + way * du.x, u.y + way * du.y };
+    const double mu = block_mu(b, at);
+
+    if (!mu_rises(l))
+        return;
+    if (l->out->mu.value == l->mu)
+        l->out->mu.value = fmin(l->mu, mu);
+    layer_peak_raise(&l->out->mu, mu,
+                     (b->steep.x + b->steep.y) *
+                         (error + slider_rounding(l->curve->slider, at)));
+}
+
 /* How much faster the block may become than is known: as fast as on the curve,
  * where that leads down from here; else by what is left beside its peak. */
 static double x_below(const struct layer *out, const struct slow_point *p,

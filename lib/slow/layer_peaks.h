@@ -22,6 +22,10 @@ void layer_peaks_step(struct landing *l, double h, double across,
 bool layer_peaks_land(struct landing *l, const struct slow_point *p, double y,
                       double off, double *excess);
 
+/* At the face of a box, `way` of its own from where it is, known to within
+ * `error` along it. */
+void layer_peaks_arrive(struct landing *l, double way, double error);
+
 /* One more value. */
 void layer_peak_raise(struct layer_peak *p, double value, double error);
 
