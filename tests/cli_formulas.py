@@ -230,6 +230,14 @@ def margins_have_figures_where_there_are_two_fates(room):
            and [n for n in room.names() if n[0] == 'b'] == ['b.svg'], said)
 
 
+def more_attractors_than_labels_are_refused(room):
+    def push(x):
+        return room.run('push', '--ode', "x' = -tan(x); y' = -y", '--window',
+                        f'x=-1:{x},y=-1:1.1', '--state', f'x={x},y=0.3')
+    expect('stable_node_124' in push(391).stdout, 'the last of 125')
+    refused(push(403), 2, 'basins: more than 127 attractors')
+
+
 def a_parameter_is_swept(room):
     found = room.json('sweep', *DUFFING, *SWEEP, '-o', 'a.h5', '--figure',
                       'a.svg')
@@ -373,6 +381,7 @@ run_cases([a_straight_line_ends_where_it_comes_to_rest,
            one_state_or_many_are_pushed,
            files_and_figures_have_the_names_of_states,
            margins_have_figures_where_there_are_two_fates,
-           a_parameter_is_swept, tables_hold_systems,
+           more_attractors_than_labels_are_refused, a_parameter_is_swept,
+           tables_hold_systems,
            a_manifold_leaves_the_window_somewhere,
            pages_and_plans_tell_of_systems, what_is_wrong_costs_one_line])

@@ -47,6 +47,8 @@ static enum status name_shares(struct plane_study *s)
     for (size_t k = 0; k < s->cycles; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
             b->name[n++] = s->cycle[k].name;
+    if (n > INT8_MAX)
+        return STATUS_BAD_SCENE;
     b->labels = n;
     b->name[n++] = "undecided";
     b->shares = n;

@@ -7,7 +7,8 @@
 
 #include "plane_study.h"
 
-/* Fills s->basin; the branches are known.  STATUS_NO_MEMORY, STATUS_STOPPED. */
+/* Fills s->basin; the branches are known.  STATUS_NO_MEMORY, STATUS_STOPPED;
+ * STATUS_BAD_SCENE: more than INT8_MAX attractors, labels are bytes. */
 MUST_CHECK enum status plane_basin_find(struct plane_study *s,
                                         const struct monitor *monitor);
 

@@ -325,6 +325,10 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
         status = find_portrait(s, monitor, why);
     if (status == STATUS_OK && s->products & BIT(BASINS))
         status = plane_basin_find(s, monitor);
+    if (status == STATUS_BAD_SCENE && why->text[0] == '\0')
+        snprintf(why->text, sizeof why->text,
+                 "basins: more than %d attractors: take a smaller window",
+                 INT8_MAX);
     if (status != STATUS_OK)
         return status;
     if (s->products & BIT(SENSITIVITIES) || s->scene->ensemble.scattered > 0)
