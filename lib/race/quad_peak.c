@@ -1,5 +1,4 @@
-/* Peaks are found on the polynomials of a step, which is then taken again to
- * just there. */
+/* Peaks are between stages of a step, which is taken again to just there. */
 #include "quad_peak.h"
 
 #include <math.h>
@@ -32,25 +31,24 @@ void quad_peak_note(struct quad_course *c, const quad u[])
 }
 
 /* The rate of v or mu between its values at two neighbouring stages vanishes
- * where a parabola's slope would, and then nearer. */
+ * where it does after steps to there: polynomials are off a slow curve by more
+ * than friction changes along it. */
 static void polish_peak(struct quad_course *c, const struct quad_radau *w,
                         int which, quad from, quad to)
 {
     struct quad_radau part;
-    quad u[QUAD_DIM];
+    quad u[QUAD_DIM], du[QUAD_DIM];
+    double rise[2];
 
     for (int i = 0; i < HALVINGS; i++) {
         const quad theta = (from + to) / 2;
-        double rise[2];
-        quad du[QUAD_DIM];
-        const quad z[2] = { c->u[QUAD_X] + quad_radau_gain(w, QUAD_X, theta),
-                            c->u[QUAD_Y] + quad_radau_gain(w, QUAD_Y, theta) };
-        quad_course_field(c, z, du);
-        find_rise(c, z, du, rise);
+        if (!quad_course_part(c, w, theta, &part, u))
+            return;
+        quad_course_field(c, u, du);
+        find_rise(c, u, du, rise);
         *(rise[which] > 0.0 ? &from : &to) = theta;
     }
-    if (quad_course_part(c, w, (from + to) / 2, &part, u))
-        quad_peak_note(c, u);
+    quad_peak_note(c, u);
 }
 
 void quad_peak_start(struct quad_course *c)
