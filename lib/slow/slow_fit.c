@@ -3,7 +3,6 @@
  * knots are better. */
 #include "slow_fit.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "crest.h"
@@ -240,29 +239,10 @@ static void widen(double *from, double *to, double error)
     *to = fmax(*to, error);
 }
 
-/* What the largest friction on an interval is off.  Where the polynomial has it
- * at a knot, which it meets, and is a rise lower at the other one, t of the way
- * from it the polynomial is off by 4 error t at most, and lower by rise t^2 at
- * least (it bends one way): no other value is higher by more than the largest
- * 4 error t - rise t^2. */
-static double crest_error(const struct slider *s, const struct slow_knot *f,
-                          const struct slow_knot *k)
-{
-    const double from = block_mu(&s->block, (struct vec2){ f->x, f->y });
-    const double to = block_mu(&s->block, (struct vec2){ k->x, k->y });
-    const double top = fmax(from, to), rise = fabs(to - from);
-    const bool at_knot =
-        k->mu - top <= TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(top);
-
-    return at_knot && rise > 0.0
-               ? fmin(k->mu_error, 4.0 * k->mu_error * k->mu_error / rise)
-               : k->mu_error;
-}
-
-/* What friction is off because knots are, `beside` at their y, or at their x
- * where the curve is steep and may end at a face of x, and by rounding;
- * between knots that are not landed on it is the orbit's, as accurate as
- * that. */
+/* What friction is off because knots are: `beside` at their y, or at their x
+ * where the curve is steep and may end at a face of x, and as much as their
+ * orbit is at the least, whose steps miss more of what the curve is off a
+ * steady state than they tell. */
 static void add_places(const struct slider *s, struct slow_branch *b)
 {
     const struct vec2 m = s->block.steep;
@@ -270,12 +250,9 @@ static void add_places(const struct slider *s, struct slow_branch *b)
 
     for (size_t i = 0; i < b->count; i++) {
         const struct slow_knot *f = &k[i > 0 ? i - 1 : 0];
-        const struct vec2 z = { k[i].x, k[i].y };
         const double off = fmax(fabs(f->beside), fabs(k[i].beside));
         const double least =
-            isfinite(f->gap) && isfinite(k[i].gap)
-                ? slider_rounding(s, z)
-                : TOL_REST_WRONG * (1.0 + fabs(s->block.at.x0 + z.x));
+            TOL_REST_WRONG * (1.0 + fabs(s->block.at.x0 + k[i].x));
         const double slope = fmax(m.x, m.y / fmax(fabs(k[i].x_slope), 1.0));
         k[i].mu_error +=
             TOL_BAR_FIRST_ORDER * (slope * off + (m.x + m.y) * least);
@@ -305,9 +282,6 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
         widen(&k[i].mu_error, &k[i + 1].mu_error,
               a * missed_of(fabs(x), fabs(k[i].x_slope) * noise + bent));
     }
-    for (size_t i = 1; i < b->count; i++)
-        if (isfinite(k[i - 1].gap) && isfinite(k[i].gap))
-            k[i].mu_error = crest_error(s, &k[i - 1], &k[i]);
     add_places(s, b);
     judge_peaks(b);
 }
