@@ -104,8 +104,7 @@ static struct linear make_log(struct lowering *L, int i)
 
 /* ---- themselves ---------------------------------------------------------- */
 
-/* e^u, at the anchor `value`: nothing is gained by what it is there where u is
- * another. */
+/* e^u, at the anchor `value`, which gains nothing where u is another there. */
 static struct linear grown(struct lowering *L, const struct linear *u,
                            int value)
 {
