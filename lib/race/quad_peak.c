@@ -3,7 +3,10 @@
 
 #include <math.h>
 
-enum { HALVINGS = 32 };
+#include "newton.h"
+
+/* Of a step: half its square is nothing in 113 bits of a smooth peak. */
+static const double placed = 0x1p-32;
 
 /* Rates of v and mu at a point, in doubles: to find where they vanish. */
 static void find_rise(const struct quad_course *c, const quad z[2],
@@ -30,25 +33,48 @@ void quad_peak_note(struct quad_course *c, const quad u[])
     c->mu_peak = c->steps == 0 || mu > c->mu_peak ? mu : c->mu_peak;
 }
 
-/* The rate of v or mu between its values at two neighbouring stages vanishes
- * where it does after steps to there: polynomials are off a slow curve by more
+struct between {
+    const struct quad_course *course;
+    const struct quad_radau *whole;
+    int which; /* 0: v, 1: mu */
+};
+
+/* Its rate after a step to there: polynomials are off a slow curve by more
  * than friction changes along it. */
-static void polish_peak(struct quad_course *c, const struct quad_radau *w,
-                        int which, quad from, quad to)
+static double rise_at(const void *ctx, double theta)
 {
+    const struct between *b = (const struct between *) ctx;
     struct quad_radau part;
     quad u[QUAD_DIM], du[QUAD_DIM];
     double rise[2];
 
-    for (int i = 0; i < HALVINGS; i++) {
-        const quad theta = (from + to) / 2;
-        if (!quad_course_part(c, w, theta, &part, u))
-            return;
-        quad_course_field(c, u, du);
-        find_rise(c, u, du, rise);
-        *(rise[which] > 0.0 ? &from : &to) = theta;
-    }
-    quad_peak_note(c, u);
+    if (!quad_course_part(b->course, b->whole, theta, &part, u))
+        return NAN;
+    quad_course_field(b->course, u, du);
+    find_rise(b->course, u, du, rise);
+    return rise[b->which];
+}
+
+static void note_at(struct quad_course *c, const struct quad_radau *whole,
+                    double theta)
+{
+    struct quad_radau part;
+    quad u[QUAD_DIM];
+
+    if (quad_course_part(c, whole, theta, &part, u))
+        quad_peak_note(c, u);
+}
+
+/* Where rounding turns the sign at an end, the peak is there. */
+static void polish_peak(struct quad_course *c, const struct quad_radau *w,
+                        int which, double from, double to)
+{
+    const struct between b = { c, w, which };
+    struct newton_root root = { .x = to };
+
+    if (newton_find(rise_at, &b, from, to, placed, &root) != STATUS_OK)
+        note_at(c, w, from);
+    note_at(c, w, root.x);
 }
 
 void quad_peak_start(struct quad_course *c)
@@ -57,23 +83,25 @@ void quad_peak_start(struct quad_course *c)
     quad_peak_note(c, c->u);
 }
 
+/* A peak between stages lies below the tangents at both, where it is one. */
 void quad_peak_step(struct quad_course *c, const struct quad_radau *w)
 {
     const struct quad_method *m = &c->slope->method;
     double before[2] = { c->rise[0], c->rise[1] }, rise[2];
 
     for (int i = 0; i < QUAD_STAGES; i++) {
-        const quad z[2] = { c->u[QUAD_X] + w->z[i][0],
-                            c->u[QUAD_Y] + w->z[i][1] };
+        const quad *z = w->z[i], *du = w->du[i];
         const quad from = i == 0 ? 0 : m->node[i - 1];
-        find_rise(c, z, w->du[i], rise);
+        const double past = (double) ((m->node[i] - from) * w->h);
+        const quad at[2] = { c->u[QUAD_X] + z[0], c->u[QUAD_Y] + z[1] };
+        const quad v = expq(c->slope->at.x0 + at[0]);
+        find_rise(c, at, du, rise);
+        const bool may[2] = { v * exp(-rise[0] * past) > c->v_peak,
+                              du[QUAD_WORK] / du[QUAD_SLIP] - rise[1] * past >
+                                  c->mu_peak };
         for (int k = 0; k < 2; k++) {
-            const quad v = expq(c->slope->at.x0 + z[0]);
-            const quad mu = w->du[i][QUAD_WORK] / w->du[i][QUAD_SLIP];
-            const double near =
-                (double) (k == 0 ? v / c->v_peak : mu / c->mu_peak);
-            if (before[k] > 0.0 && rise[k] <= 0.0 && !(near < 0.9))
-                polish_peak(c, w, k, from, m->node[i]);
+            if (before[k] > 0.0 && rise[k] <= 0.0 && may[k])
+                polish_peak(c, w, k, (double) from, (double) m->node[i]);
             before[k] = rise[k];
         }
     }

@@ -151,7 +151,7 @@ static struct vec2 draw_point(const struct draw *d, enum kind kind,
 /* ---- maps -----------------------------------------------------------------
  */
 
-enum { MANY = 40 }; /* cells along an axis */
+enum { MANY = 24 }; /* cells along an axis */
 
 /* Some cells of a map of cells x cells, z in its midst, e^wide up and down. */
 static void check_map(const struct draw *d, enum kind kind, struct vec2 z,
