@@ -78,7 +78,7 @@ static inline quad plain(const char *text, quad x, quad y)
     const struct formula_value leaf[] = {
         parameters[0], parameters[1], { "x", x }, { "y", y }, { NULL, 0 }
     };
-    formula_constants(&f, leaf, NULL, 0, value);
+    formula_constants(&f, leaf, NULL, value);
     return value[node];
 }
 

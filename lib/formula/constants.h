@@ -12,13 +12,18 @@ struct formula_value {
 };
 
 /* By node: value[0 .. f->nodes - 1]; 0 for those that change with the state,
- * are not needed (NULL: all are), and for leaves that are not given.  A sum
- * below `least` of its first term is 0. */
+ * are not needed (NULL: all are), and for leaves that are not given. */
 void formula_constants(const struct formula *f,
                        const struct formula_value leaf[], const bool needed[],
-                       formula_real least, formula_real value[]);
-/* Faster; nothing is too small.  False where a needed one has lost more than
- * eight of the eleven bits that a long double has beyond a double. */
+                       formula_real value[]);
+/* To all digits of a long double where leaves are known to 2^-90: what loses 40
+ * bits or more is enclosed in 320.  A sum that this does not tell from 0, and
+ * that is below 2^-90 of its first term, is 0. */
+void formula_exact_constants(const struct formula *f,
+                             const struct formula_value leaf[],
+                             const bool needed[], formula_real value[]);
+/* Faster.  False where a needed one has lost more than eight of the eleven bits
+ * that a long double has beyond a double. */
 bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
                             const bool needed[], long double value[]);

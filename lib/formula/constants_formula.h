@@ -60,9 +60,24 @@ static SCALAR KIND(called)(enum formula_function function, SCALAR u, SCALAR w)
     }
 }
 
-static SCALAR KIND(node_value)(const struct formula_node *n,
+/* The w of ln(1 + w), or NULL. */
+static const SCALAR *KIND(beyond_one)(const struct formula *f,
+                                      const struct formula_node *n,
+                                      const SCALAR value[])
+{
+    const struct formula_node *sum = &f->node[n->of[0]];
+
+    return n->kind == FORMULA_CALL && n->function == FUNCTION_LN &&
+                   sum->kind == FORMULA_SUM && value[sum->of[0]] == 1
+               ? &value[sum->of[1]]
+               : NULL;
+}
+
+static SCALAR KIND(node_value)(const struct formula *f,
+                               const struct formula_node *n,
                                const SCALAR value[])
 {
+    const SCALAR *beyond = KIND(beyond_one)(f, n, value);
     const SCALAR u = value[n->of[0]], w = value[n->of[1]];
 
     switch (n->kind) {
@@ -75,7 +90,8 @@ static SCALAR KIND(node_value)(const struct formula_node *n,
         case FORMULA_OVER:
             return u / w;
         default:
-            return KIND(called)(n->function, u, w);
+            return beyond ? FN(log1p)(*beyond)
+                          : KIND(called)(n->function, u, w);
     }
 }
 
@@ -83,16 +99,15 @@ static void KIND(again)(const struct formula *f, const short node[], int count,
                         SCALAR value[])
 {
     for (int i = 0; i < count; i++)
-        value[node[i]] = KIND(node_value)(&f->node[node[i]], value);
+        value[node[i]] = KIND(node_value)(f, &f->node[node[i]], value);
 }
 
-/* Whether value[i] has lost more than eight bits that its arguments had: a sum
- * that cancels, a function that is small where its argument is not, or is
- * steep. */
-static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
-                        SCALAR out)
+/* Whether `out` has only `part` of its arguments' digits, or less: a sum that
+ * cancels, a function that is small where its argument is not, or is steep. */
+static bool KIND(loses)(const struct formula *f, const struct formula_node *n,
+                        const SCALAR value[], SCALAR out, SCALAR part)
 {
-    const SCALAR part = (SCALAR) 1 / 256, size = FN(fabs)(out);
+    const SCALAR size = FN(fabs)(out);
     const SCALAR u = FN(fabs)(value[n->of[0]]), w = FN(fabs)(value[n->of[1]]);
 
     if (n->kind == FORMULA_SUM)
@@ -100,11 +115,11 @@ static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
     if (n->kind != FORMULA_CALL)
         return false;
     switch (n->function) {
-        case FUNCTION_EXP:
-        case FUNCTION_LAMBERT:
-            return false;
+        case FUNCTION_SIN:
+        case FUNCTION_COS:
+            return size < part * u && size > 0;
         case FUNCTION_LN:
-            return size < part;
+            return size < part && !KIND(beyond_one)(f, n, value);
         case FUNCTION_ASIN:
             return 1 - u < part * part;
         case FUNCTION_TAN:
@@ -112,16 +127,20 @@ static bool KIND(loses)(const struct formula_node *n, const SCALAR value[],
         case FUNCTION_POWER: /* u's rounding w times */
             return part * w > 1;
         default:
-            return size < part * u && size > 0;
+            return false;
     }
 }
 
-/* False where something that is needed loses digits. */
+typedef SCALAR KIND(mender)(const struct formula *f,
+                            const struct formula_value leaf[], int node,
+                            const SCALAR value[]);
+
+/* What is needed and loses digits is mended; without a mender that ends it. */
 static bool KIND(constants)(const struct formula *f,
                             const struct formula_value leaf[],
-                            const bool needed[], SCALAR least, SCALAR value[])
+                            const bool needed[], SCALAR part,
+                            KIND(mender) * mend, SCALAR value[])
 {
-    bool whole = true;
     int count = 0;
 
     while (leaf[count].name)
@@ -132,12 +151,12 @@ static bool KIND(constants)(const struct formula *f,
         value[i] = idle ? 0
                    : n->kind == FORMULA_LEAF
                        ? KIND(leaf_value)(leaf, count, i, n->name)
-                       : KIND(node_value)(n, value);
-        if (least > 0 && n->kind == FORMULA_SUM &&
-            FN(fabs)(value[i]) < least * FN(fabs)(value[n->of[0]]))
-            value[i] = 0;
-        if (least <= 0 && !idle && KIND(loses)(n, value, value[i]))
-            whole = false;
+                       : KIND(node_value)(f, n, value);
+        if (idle || !KIND(loses)(f, n, value, value[i], part))
+            continue;
+        if (mend == NULL)
+            return false;
+        value[i] = mend(f, leaf, i, value);
     }
-    return whole;
+    return true;
 }

@@ -13,7 +13,7 @@ bool formula_long_constants(const struct formula *f,
                             const struct formula_value leaf[],
                             const bool needed[], long double value[])
 {
-    return long_constants(f, leaf, needed, 0, value);
+    return long_constants(f, leaf, needed, 0x1p-8L, NULL, value);
 }
 
 void formula_long_again(const struct formula *f, const short node[], int count,

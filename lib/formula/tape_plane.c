@@ -63,7 +63,7 @@ static void constants_at(const struct tape_lowered *l,
 
     if (formula_long_constants(&l->f, leaf, l->t.needs, constant))
         return;
-    formula_constants(&l->f, leaf, l->t.needs, (quad) 0x1p-90, exact);
+    formula_exact_constants(&l->f, leaf, l->t.needs, exact);
     for (int i = 0; i < l->f.nodes; i++)
         constant[i] = (long double) exact[i];
 }

@@ -58,7 +58,7 @@ void quad_block_anchor(const struct law *law, const struct material *m,
     at->force0 = tan_alpha - at->mu0;
     law_values(law, m, tan_alpha, x, at->y0, leaf);
     const struct tape_lowered *tape = law_tape_kept(law, equilibrium, &room);
-    formula_constants(&tape->f, leaf, tape->t.needs, 0, constant);
+    formula_constants(&tape->f, leaf, tape->t.needs, constant);
     const bool fits = quad_tape_at(&tape->t, constant, &at->tape);
     assert(fits); /* it is no longer than that of doubles */
     (void) fits;
