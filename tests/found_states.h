@@ -346,6 +346,14 @@ static const struct {
       { -3.3269097802159013, 3.3269097997370443 },
       EXACT_BOTH,
       "the same of a law of first order" },
+    { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.84956019633073776, 0.0079131917811854167,
+        0.026360015712823179, 0.0, 110923.82954819329, 2.327879597995425e-07,
+        6.8427326485209406e-05, 0.764994790975609, 1e-5 },
+      0.960003763008520311008L,
+      { -16.286112337703997, 12.036137830377839 },
+      EXACT_BOTH,
+      "psi that waits, ahead of a steep curve that rises slowly" },
 };
 
 #endif

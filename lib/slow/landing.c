@@ -204,14 +204,16 @@ static bool project(const struct landing *l, double *y, struct slow_point *p,
     return true;
 }
 
-/* Whether psi may wait, its own rate of next to nothing, until the curve comes:
- * by a sinh, ahead of it. */
-static bool may_wait(const struct landing *l, const struct slow_point *p,
-                     double off)
+/* How many times as long as by a linear fall psi may wait, its own rate of next
+ * to nothing, until the curve comes: by a sinh, ahead of it; 0: it may not. */
+static double waiting(const struct landing *l, const struct slow_point *p,
+                      double off)
 {
-    return l->curve->slider->block.waits &&
-           fabs(p->fibre.y) > fabs(p->fibre.x) &&
-           off * p->fibre.y * p->time_slope < 0.0;
+    const double ahead = -off * p->fibre.y * p->time_slope;
+
+    return l->curve->slider->block.waits && fabs(p->fibre.y) > fabs(p->fibre.x)
+               ? p->fast * fmax(ahead, 0.0)
+               : 0.0;
 }
 
 /* How unlike a linear one its fall is, `off` along the fibre: a sinh is steeper
@@ -223,8 +225,7 @@ static double unevenness(const struct landing *l, const struct slow_point *p,
     const double fall = l->du[LAYER_X] - l->du[LAYER_Y] * p->x_slope;
     const double linear = -p->fast * det * off * l->du[LAYER_TIME];
     const double larger = fmax(fabs(fall), fabs(linear));
-    const double longer =
-        may_wait(l, p, off) ? fmax(fabs(off) / p->gap, 1.0) : 1.0;
+    const double longer = fmax(waiting(l, p, off), 1.0);
 
     return larger > 0.0 ? longer * fabs(fall - linear) / larger : 0.0;
 }
@@ -247,8 +248,10 @@ static double turning(const struct landing *l, const struct slow_point *p)
 static bool is_vague(const struct landing *l, const struct slow_point *p,
                      double off, double bend)
 {
-    return bend > TOL_CLEARLY * fabs(off) ||
-           (may_wait(l, p, off) && fabs(off) > fmin(p->gap, TOL_LAYER_CLOSER));
+    const double wait = waiting(l, p, off);
+
+    return bend > TOL_CLEARLY * fabs(off) || wait > 1.0 ||
+           (wait > 0.0 && fabs(off) > TOL_LAYER_CLOSER);
 }
 
 /* Of a point to the left of the end of the walk: its place on the curve is
