@@ -1,9 +1,11 @@
 /*
- * One exponential step from Gauss node to Gauss node, each with S_dep and the
+ * One exponential step from Radau node to Radau node, each with S_dep and the
  * defect as they are there and the node's weight for its length (the weights'
  * partial sums lie between the nodes: Chebyshev, Markov, Stieltjes).  Without
- * S_dep that is Gauss quadrature, which the steep end of a Taylor step's defect
- * takes no more than five nodes of; and S_dep of any size does no harm.
+ * S_dep that is Radau quadrature, and no less than the integral of a defect
+ * whose ninth derivative has its sign: of theta^n, as a Taylor step's is, and
+ * of exp(k theta), which its terms do not see coming, however steep, for the
+ * end is a node.  And S_dep of any size does no harm.
  */
 #include "defect.h"
 
@@ -17,12 +19,12 @@
 enum { NODES = 5 };
 
 /* On [0, 1]. */
-static const double node[NODES] = { 0.046910077030668004, 0.23076534494715845,
-                                    0.5, 0.76923465505284155,
-                                    0.953089922969332 };
-static const double weight[NODES] = { 0.11846344252809454, 0.23931433524968324,
-                                      0.28444444444444444, 0.23931433524968324,
-                                      0.11846344252809454 };
+static const double node[NODES] = { 0.0571041961145176822, 0.276843013638123828,
+                                    0.58359043236891682, 0.860240135656219448,
+                                    1.0 };
+static const double weight[NODES] = { 0.143713560791225941, 0.28135601514946206,
+                                      0.311826522975741254,
+                                      0.223103901083570744, 0.04 };
 
 /* Every operation of a field rounds, exponents by what they are, coordinates
  * likewise; near the origin only what is relative counts. */
