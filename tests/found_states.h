@@ -354,6 +354,14 @@ static const struct {
       { -16.286112337703997, 12.036137830377839 },
       EXACT_BOTH,
       "psi that waits, ahead of a steep curve that rises slowly" },
+    { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
+        KINETICS_LINEAR, 0.369, 0.032079319936510711, 0.0489,
+        0.0075698864445980264, 232.61226033082085, 5.7401983215907075e-08, 1e-6,
+        0.3085898991612332, 1e-6 },
+      0.318773415143488309464L,
+      { 4.4681950273534001, -4.4817797773436352 },
+      EXACT_BOTH,
+      "friction that rises on to the face of a box, told where a step ends" },
 };
 
 #endif
