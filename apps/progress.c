@@ -9,6 +9,7 @@
 
 #include "clock.h"
 #include "litter.h"
+#include "text.h"
 
 enum { BAR_WIDTH = 20 };
 
@@ -56,15 +57,20 @@ static void on_signal(int number)
     interrupted = 1;
 }
 
+/* What is said by whom a deadline ends, while there is something left. */
+static char farewell[2048];
+static volatile sig_atomic_t leaves;
+
 /* Some work is deaf, or gnuplot is at it. */
 static _Noreturn void on_deadline(int number)
 {
     static const char clear[] = "\r\033[K", said[] = "slipway: interrupted\n";
+    const char *last = leaves ? farewell : said;
 
     (void) number;
     if (line_shown)
         (void) !write(STDERR_FILENO, clear, sizeof clear - 1);
-    (void) !write(STDERR_FILENO, said, sizeof said - 1);
+    (void) !write(STDERR_FILENO, last, strlen(last));
     litter_sweep();
     _exit(EXIT_INTERRUPT);
 }
@@ -159,6 +165,16 @@ const struct monitor *progress_monitor(const struct options *o)
                                               : PROGRESS_NONE;
     listen();
     return &monitor;
+}
+
+void progress_leaves(const char *text)
+{
+    char line[sizeof farewell - sizeof "slipway: \n"];
+
+    leaves = false;
+    text_show(text ? text : "", line, sizeof line);
+    snprintf(farewell, sizeof farewell, "slipway: %s\n", line);
+    leaves = text != NULL;
 }
 
 void progress_heard(void)

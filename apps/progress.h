@@ -11,6 +11,9 @@
  * leaving anything (litter.h).  One a process. */
 const struct monitor *progress_monitor(const struct options *o);
 
+/* What is said there instead of "interrupted", until it is NULL. */
+void progress_leaves(const char *text);
+
 /* The work has heard, and what is left to do takes no time. */
 void progress_heard(void);
 

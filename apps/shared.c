@@ -292,15 +292,20 @@ static enum status run_whole(struct shared *h, bool *whole)
 {
     const struct options *o = h->o;
     const bool merged = command_id(o->command) == COMMAND_MERGE;
+    struct fault stopped = { "" };
 
     h->resume = o->resume || merged;
     if (h->journal == NULL && (merged || o->shard || crew_ranks() > 1))
         return complain(h, o->shard ? "--shard" : o->command->name);
-    const enum status status = run_somehow(h);
-    if (status == STATUS_STOPPED && h->journal)
-        snprintf(h->why->text, sizeof h->why->text,
+    if (h->journal) {
+        snprintf(stopped.text, sizeof stopped.text,
                  "interrupted; what is computed stays in %.300s for --resume",
                  h->journal);
+        progress_leaves(stopped.text);
+    }
+    const enum status status = run_somehow(h);
+    if (status == STATUS_STOPPED)
+        *h->why = stopped;
     *whole = crew_rank() == 0 && !o->shard;
     return status;
 }
@@ -316,6 +321,7 @@ static enum status write_files(const struct shared *h)
     if (c->hdf5)
         status = h->w->write(h->w->work, c->hdf5, h->why);
     if (status == STATUS_OK && c->hdf5) {
+        progress_leaves(NULL);
         sweep_forget(h->journal);
         output_tell(h->o, c->hdf5);
     }
