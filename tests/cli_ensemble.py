@@ -341,13 +341,15 @@ def shares_of_a_system_have_a_spread(room):
     room.write('d.yaml', TILTED)
     scatter = {'a': (0.5, 0.02), 'e': (0.05, 0.01)}
 
-    def run(**parameters):
-        sets = [f'--set=system.parameters.{name}={value}'
-                for name, value in parameters.items()]
-        shares = room.json('basin', 'd.yaml', '-o', 'd.h5', *sets)['shares']
-        return {share['attractor']: share['fraction'] for share in shares}
+    def run(*sets, **parameters):
+        sets += tuple(f'--set=system.parameters.{name}={value}'
+                      for name, value in parameters.items())
+        told = room.json('basin', 'd.yaml', '-o', 'd.h5', *sets)
+        return {share['attractor']: share['fraction']
+                for share in told['shares']} | told['basin']
 
-    found = run(**{name: f'{x} +- {s}' for name, (x, s) in scatter.items()})
+    scattered = {name: f'{x} +- {s}' for name, (x, s) in scatter.items()}
+    found = run(**scattered)
     beside = [[run(**{name: x + h}) for h in (1e-4, -1e-4)]
               for name, (x, _) in scatter.items()]
     for name in ('stable_focus_0', 'stable_focus_1'):
@@ -357,6 +359,10 @@ def shares_of_a_system_have_a_spread(room):
                found, rates)
     expect(found['infinity']['spread'] == 0, found)
     expect('spread' not in beside[0][0]['stable_focus_0'], beside)
+    # all that does not go to the one inside goes to the other
+    cut = run('--set=window={x: [-2, 0.5], y: [-1.5, 1.5]}', **scattered)
+    expect(abs(cut['outside']['spread'] / cut['stable_focus_0']['spread'] - 1)
+           < 1e-6 and cut['cycles']['spread'] == 0, cut)
 
 
 def a_push_of_an_uncertain_system_has_a_spread(room):

@@ -22,12 +22,18 @@ static struct quantity share_of(const struct plane_study *s,
                                         : s->basin.share[label].fraction;
 }
 
-/* Nothing and q is q, with its spread. */
+static struct quantity share_of_rest(const struct plane_study *s, size_t i)
+{
+    const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
+
+    return plane_rest_attracts(&s->rest[i], false)
+               ? share_of(s, &goal, "no basins")
+               : quantity_none("it does not attract");
+}
+
 static struct quantity sum_of(struct quantity p, struct quantity q)
 {
-    return p.value == 0.0 && p.error == 0.0
-               ? q
-               : quantity_of(p.value + q.value, p.error + q.error);
+    return quantity_of(p.value + q.value, p.error + q.error);
 }
 
 /* Sums over all equilibria outside the window, over all else beyond it, or
@@ -39,7 +45,7 @@ static struct quantity share_beyond(const struct plane_study *s, bool rests,
 
     for (size_t i = s->listed; i < s->rests && rests && !breaks; i++)
         if (plane_rest_attracts(&s->rest[i], false))
-            sum = sum_of(sum, s->rest[i].share);
+            sum = sum_of(sum, share_of_rest(s, i));
     for (size_t i = 0; i < s->beyonds; i++)
         if (s->beyond[i].rests == rests && s->beyond[i].breaks == breaks)
             sum =
@@ -61,20 +67,14 @@ static struct quantity share_of_cycles(const struct plane_study *s)
     return sum;
 }
 
-static void fill_shares(struct plane_study *s)
+void plane_numbers_add(struct plane_study *s)
 {
-    struct plane_basin *b = &s->basin;
-
-    for (size_t i = 0; i < s->rests; i++) {
-        const struct plane_goal goal = { .kind = PLANE_GOAL_REST, .index = i };
-        s->rest[i].share = plane_rest_attracts(&s->rest[i], false)
-                               ? share_of(s, &goal, "no basins")
-                               : quantity_none("it does not attract");
-    }
-    b->elsewhere = (struct plane_elsewhere){
-        share_beyond(s, false, false), share_beyond(s, true, false),
-        share_beyond(s, true, true),   share_of_cycles(s),
-        b->share[b->labels].fraction,
+    s->basin.elsewhere = (struct plane_elsewhere){
+        share_beyond(s, false, false),
+        share_beyond(s, true, false),
+        share_beyond(s, true, true),
+        share_of_cycles(s),
+        s->basin.share[s->basin.labels].fraction,
     };
 }
 
@@ -138,8 +138,8 @@ void plane_numbers_fill(struct plane_study *s)
         s->count.cycles++;
         s->count.attractors += s->cycle[k].type == PLANE_CYCLE_STABLE;
     }
-    if (s->basin.share)
-        fill_shares(s);
+    for (size_t i = 0; i < s->rests && s->basin.share; i++)
+        s->rest[i].share = share_of_rest(s, i);
 }
 
 /* ---- described ----------------------------------------------------------- */

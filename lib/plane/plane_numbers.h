@@ -11,8 +11,10 @@
  * others are counted. */
 enum { PLANE_RESTS_ALONE = 16, PLANE_SADDLES_ALONE = 8 };
 
-/* Fills s->count, the shares of its equilibria, and s->basin.elsewhere; the
- * rest of *s is known. */
+/* Fills s->basin.elsewhere from s->basin.share, which is known. */
+void plane_numbers_add(struct plane_study *s);
+
+/* Fills s->count and the shares of its equilibria; the rest of *s is known. */
 void plane_numbers_fill(struct plane_study *s);
 
 /* What it fills, described. */

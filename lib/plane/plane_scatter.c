@@ -159,13 +159,26 @@ enum status plane_scatter_find(const struct plane_study *s,
 
 /* ---- shares -------------------------------------------------------------- */
 
-/* By the names that the shares of ctx, a study, have. */
+enum { ELSEWHERE = 5 };
+
+static struct quantity *elsewhere_at(struct plane_elsewhere *e, int k)
+{
+    struct quantity *const all[ELSEWHERE] = { &e->infinity, &e->outside,
+                                              &e->singularity, &e->cycles,
+                                              &e->undecided };
+    return all[k];
+}
+
+/* By the names that the shares of ctx, a study, have; and elsewhere. */
 static enum status shares_of(void *ctx, const struct plane_study *s,
                              struct quantity q[])
 {
     const struct plane_basin *own = &((const struct plane_study *) ctx)->basin;
     const struct plane_basin *b = &s->basin;
+    struct plane_elsewhere e = b->elsewhere;
 
+    for (int k = 0; k < ELSEWHERE && !plane_numbers_lack(s); k++)
+        q[own->shares + (size_t) k] = *elsewhere_at(&e, k);
     for (size_t i = 0; i < own->shares && !plane_numbers_lack(s); i++)
         for (size_t k = 0; k < b->shares; k++)
             if (strcmp(own->share[i].attractor, b->share[k].attractor) == 0)
@@ -177,14 +190,16 @@ enum status plane_scatter_shares(struct plane_study *s,
                                  const struct monitor *monitor)
 {
     const size_t n = s->basin.shares;
-    struct quantity **q = calloc(n + 1, sizeof *q);
+    struct quantity **q = calloc(n + ELSEWHERE, sizeof *q);
 
     if (q == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < n; i++)
         q[i] = &s->basin.share[i].fraction;
+    for (int k = 0; k < ELSEWHERE; k++)
+        q[n + (size_t) k] = elsewhere_at(&s->basin.elsewhere, k);
     const enum status status =
-        plane_scatter_find(s, shares_of, s, n, monitor, q);
+        plane_scatter_find(s, shares_of, s, n + ELSEWHERE, monitor, q);
     free(q);
     return status;
 }

@@ -25,6 +25,6 @@ MUST_CHECK enum status plane_scatter_find(const struct plane_study *s,
                                           const struct monitor *monitor,
                                           struct quantity *const q[]);
 
-/* The same of s->basin.share. */
+/* The same of s->basin.share and elsewhere. */
 MUST_CHECK enum status plane_scatter_shares(struct plane_study *s,
                                             const struct monitor *monitor);

@@ -331,6 +331,8 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
                  INT8_MAX);
     if (status != STATUS_OK)
         return status;
+    if (s->basin.share)
+        plane_numbers_add(s);
     if (s->products & BIT(SENSITIVITIES) || s->scene->ensemble.scattered > 0)
         status = plane_sensitivity_find(s, monitor);
     if (status == STATUS_OK && s->products & BIT(BASINS) &&
