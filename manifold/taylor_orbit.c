@@ -62,11 +62,13 @@ static double allowed(const struct taylor_orbit *o, int axis)
     return o->rtol * (side + fabs(axis == 0 ? o->z.x : o->z.y));
 }
 
-/* Whether the derivative at s is the field there, up to what is allowed. */
-static bool holds(const struct taylor_orbit *o, const struct series *u,
-                  double s, struct vec2 *end)
+/* How far the derivative at s is off the field there, in what is allowed of a
+ * step so long; infinite where the field has no value. */
+static double miss_at(const struct taylor_orbit *o, const struct series *u,
+                      double s, struct vec2 *end)
 {
     struct planar_field f;
+    double most = 0.0;
 
     *end = (struct vec2){ jet_at(o->order, u->at[0], s),
                           jet_at(o->order, u->at[1], s) };
@@ -76,11 +78,12 @@ static bool holds(const struct taylor_orbit *o, const struct series *u,
     for (int i = 0; i < 2; i++) {
         const double slope = jet_slope_at(o->order, u->at[i], s);
         const double rounding = TOL_ROUNDED * (fabs(slope) + fabs(u->at[i][1]));
-        if (!(s * (fabs(slope - rate[i]) - rounding) <=
-              (double) (o->order + 1) * allowed(o, i)))
-            return false;
+        const double off = s * (fabs(slope - rate[i]) - rounding) /
+                           ((double) (o->order + 1) * allowed(o, i));
+        if (!(off <= most))
+            most = isnan(off) ? HUGE_VAL : off;
     }
-    return true;
+    return most;
 }
 
 static enum status store(struct taylor_orbit *o, const struct series *u,
@@ -101,7 +104,7 @@ enum status taylor_orbit_step(struct taylor_orbit *o)
 {
     struct series u;
     struct vec2 end;
-    double reach[2], s;
+    double reach[2], s, miss, before;
 
     expand(o, &u);
     graph_reach(o->order, 2, (const double *const[]){ u.at[0], u.at[1] },
@@ -109,10 +112,16 @@ enum status taylor_orbit_step(struct taylor_orbit *o)
     s = fmin(reach[0], reach[1]);
     if (!(s < HUGE_VAL)) /* a polynomial: it is followed as far as a window */
         s = 1.0 / size_of(o, &u, 1);
-    while (!holds(o, &u, s, &end)) {
+    o->blurred = false;
+    miss = miss_at(o, &u, s, &end);
+    while (miss > 1.0) {
         s *= 0.5;
         if (!(s * size_of(o, &u, 1) > 4.0 * DBL_EPSILON))
             return STATUS_NO_CONVERGENCE;
+        before = miss;
+        miss = miss_at(o, &u, s, &end);
+        o->blurred =
+            o->blurred || (before < HUGE_VAL && miss > TOL_LITTLE * before);
     }
     if (!isfinite(s) || (end.x == o->z.x && end.y == o->z.y))
         return STATUS_NO_CONVERGENCE;

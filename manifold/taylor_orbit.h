@@ -18,6 +18,7 @@ struct taylor_orbit {
     double bent;        /* how much its velocity changed on the last step, of
                            itself, by its derivative at the start: little in
                            step after step where the field is stiff */
+    bool blurred; /* shorter steps were no truer: rounding held the last back */
 };
 
 /* Starts at the offset z. */

@@ -230,7 +230,7 @@ static int8_t end_of(const struct plane_study *s, const struct plane_branch *b,
     if (h->end < 0 && !is_infinite(b, h))
         look_for_trap(s, b, h);
     if (h->end < 0 && b->curve.end == BRANCH_STEPS &&
-        !plane_defined_near(s->plan, s, last_point(s, b)))
+        !plane_defined_near(s->plan, s, last_point(s, b), TOL_PLANE_STILL))
         h->end = PLANE_END_SINGULARITY;
     if (h->end >= 0)
         return h->end;

@@ -18,8 +18,9 @@ static double part_of(struct vec2 z, int axis)
 /* ---- boxes --------------------------------------------------------------- */
 
 /* Of the chart; infinite states are where no number is. */
-static bool is_whole(struct interval_plan *p, const struct plane_study *s,
-                     const struct interval_double chart[2])
+static enum interval_domain domain_of(struct interval_plan *p,
+                                      const struct plane_study *s,
+                                      const struct interval_double chart[2])
 {
     struct interval_double box[2];
     struct interval_slope_double out[INTERVAL_RESULTS];
@@ -27,7 +28,13 @@ static bool is_whole(struct interval_plan *p, const struct plane_study *s,
     for (int i = 0; i < 2; i++)
         box[i] = (struct interval_double){ plane_state(s, i, chart[i].lo),
                                            plane_state(s, i, chart[i].hi) };
-    return interval_over_double(p, box, out) == INTERVAL_WHOLE;
+    return interval_over_double(p, box, out);
+}
+
+static bool is_whole(struct interval_plan *p, const struct plane_study *s,
+                     const struct interval_double chart[2])
+{
+    return domain_of(p, s, chart) == INTERVAL_WHOLE;
 }
 
 enum status plane_defined_plan(struct plane_study *s, struct fault *why)
@@ -69,19 +76,26 @@ struct interval_plan *plane_defined_copy(const struct plane_study *s)
     return out;
 }
 
-bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
-                      struct box b)
+enum interval_domain plane_defined_domain(struct interval_plan *plan,
+                                          const struct plane_study *s,
+                                          struct box b)
 {
     const struct interval_double box[] = { { b.lo.x, b.hi.x },
                                            { b.lo.y, b.hi.y } };
 
-    return s->entire || is_whole(plan, s, box);
+    return s->entire ? INTERVAL_WHOLE : domain_of(plan, s, box);
+}
+
+bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
+                      struct box b)
+{
+    return plane_defined_domain(plan, s, b) == INTERVAL_WHOLE;
 }
 
 bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
-                        struct vec2 z)
+                        struct vec2 z, double part)
 {
-    const struct vec2 room = vec2_scale(TOL_PLANE_STILL, s->scale.side);
+    const struct vec2 room = vec2_scale(part, s->scale.side);
 
     return plane_defined_in(
         plan, s, (struct box){ vec2_sub(z, room), vec2_add(z, room) });

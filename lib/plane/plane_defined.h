@@ -35,10 +35,15 @@ bool plane_defined_escapes(struct interval_plan *plan,
                            const struct plane_study *s, struct vec2 z,
                            bool backward);
 
+/* At which places of an absolute box. */
+enum interval_domain plane_defined_domain(struct interval_plan *plan,
+                                          const struct plane_study *s,
+                                          struct box b);
+
 /* At all places of a box. */
 bool plane_defined_in(struct interval_plan *plan, const struct plane_study *s,
                       struct box b);
 
-/* At all places as near to an absolute point as rounding. */
+/* At all places as near to an absolute point as this part of the window. */
 bool plane_defined_near(struct interval_plan *plan, const struct plane_study *s,
-                        struct vec2 z);
+                        struct vec2 z, double part);

@@ -78,6 +78,7 @@ struct walk {
     bool lost;   /* it has come to where rounding decides: plane_weak.h */
     int held;    /* steps in turn in which it hardly moved, and its velocity
                     hardly changed */
+    int blurs;   /* steps outside the window that rounding held back */
     size_t returned, before; /* after the piece on which it returned last, and
                                 the time before that */
     double first, least;     /* differences of returns: the first, the least */
@@ -117,6 +118,13 @@ static enum status be_implicit(struct walk *w)
     return orbit_init(&w->implicit, w->system, w->series.z, &options);
 }
 
+/* Whether rounding has held back so many steps outside the window that more of
+ * them would bring it nowhere, as beside a pole. */
+static bool is_blurred(const struct walk *w)
+{
+    return w->blurs > TOL_MONITOR_STEPS;
+}
+
 /* One piece more; w->stopped where there is none. */
 static enum status step(struct walk *w)
 {
@@ -134,7 +142,8 @@ static enum status step(struct walk *w)
         w->held = held ? w->held + 1 : 0;
         if (status == STATUS_NO_CONVERGENCE || w->held > TOL_MONITOR_STEPS ||
             before > w->returned + TOL_EXPLICIT_STEPS) {
-            w->stopped = !plane_defined_near(w->plan, w->s, place_of(w));
+            w->stopped = !plane_defined_near(w->plan, w->s, place_of(w),
+                                             TOL_PLANE_STILL);
             return !w->stopped && be_implicit(w) == STATUS_NO_MEMORY
                        ? STATUS_NO_MEMORY
                        : STATUS_OK;
@@ -142,8 +151,10 @@ static enum status step(struct walk *w)
     }
     if (status == STATUS_NO_MEMORY)
         return status;
+    w->blurs += !w->stiff && w->series.blurred &&
+                !box_holds(w->s->window.box, place_of(w));
     w->stopped = curve_of(w)->count == before ||
-                 w->series.curve.count >= TOL_CURVE_STEPS;
+                 w->series.curve.count >= TOL_CURVE_STEPS || is_blurred(w);
     return STATUS_OK;
 }
 
@@ -464,8 +475,10 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
             goes_on(&w, out))
             look(&w, rests, out);
     }
+    w.lost = w.lost || is_blurred(&w);
     if (out->kind == PLANE_GOAL_NONE && w.stopped &&
-        !plane_defined_near(w.plan, s, place_of(&w)))
+        !plane_defined_near(w.plan, s, place_of(&w),
+                            is_blurred(&w) ? TOL_SAME : TOL_PLANE_STILL))
         break_off(out);
     keep_rounds(&w, out);
     out->why = w.broken || w.lost                         ? PLANE_UNKNOWN_LOST
