@@ -25,7 +25,7 @@ enum status plane_answer_at(const struct plane_study *s, const double state[2],
     if (status == STATUS_OK && label < 0 &&
         !(inside && plane_basin_is_near(s, at))) {
         status = plane_orbit(s, at, false, &guide, &goal);
-        label = plane_label_of(s, &goal);
+        label = plane_goal_label(s, &goal);
     }
     if (status == STATUS_OK)
         status = plane_margin_at(s, at, out->kick);

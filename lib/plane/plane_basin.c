@@ -138,7 +138,7 @@ static enum status check_rests(const struct plane_study *s, size_t *asked,
             continue;
         status = plane_basin_at(s, s->rest[i].z, true, &label);
         *asked += label >= 0;
-        *wrong += label >= 0 && !plane_label_allows(s, label, &goal);
+        *wrong += label >= 0 && !plane_goal_allows(s, label, &goal);
     }
     return status;
 }
@@ -170,7 +170,7 @@ static void audit_part(const struct plane_study *s, size_t first, size_t last,
         } else if (label >= 0) {
             const bool told = goal.kind != PLANE_GOAL_NONE;
             asked += told;
-            wrong += told && !plane_label_allows(s, label, &goal);
+            wrong += told && !plane_goal_allows(s, label, &goal);
             steps += goal.steps;
         }
     }
@@ -292,21 +292,22 @@ static enum status room_for_patches(struct patches *p)
     const size_t room = p->r->most + 1, n = p->r->count + 1;
 
     p->of = calloc(n, sizeof *p->of);
+    p->alone = calloc(n, sizeof *p->alone);
     p->area = calloc(n, sizeof *p->area);
     p->part = calloc(n, sizeof *p->part);
     p->goal = calloc(n, sizeof *p->goal);
     p->below = calloc(room, sizeof *p->below);
     p->above = calloc(room, sizeof *p->above);
     p->before = calloc(room, sizeof *p->before);
-    return p->of && p->area && p->part && p->goal && p->below && p->above &&
-                   p->before
-               ? STATUS_OK
-               : STATUS_NO_MEMORY;
+    const bool all = p->of && p->alone && p->area && p->part && p->goal &&
+                     p->below && p->above && p->before;
+    return all ? STATUS_OK : STATUS_NO_MEMORY;
 }
 
 static void free_patches(struct patches *p)
 {
     free(p->of);
+    free(p->alone);
     free(p->area);
     free(p->part);
     free(p->goal);

@@ -32,7 +32,7 @@ static enum status close_in(const struct plane_study *s, struct plane_edge *e,
         *lost = goal.kind == PLANE_GOAL_NONE;
         if (*lost)
             return STATUS_OK;
-        const int k = plane_label_is_same(s, &goal, &e->goal[0]) ? 0 : 1;
+        const int k = plane_goal_is_same(s, &goal, &e->goal[0]) ? 0 : 1;
         e->z[k] = z;
         e->goal[k] = goal;
     }

@@ -11,112 +11,10 @@
 #include "plane_edge.h"
 #include "plane_mosaic.h"
 #include "plane_orbit.h"
+#include "plane_parts.h"
 #include "plane_rest.h"
 #include "plane_side.h"
 #include "plane_tolerance.h"
-
-/* ---- goals --------------------------------------------------------------- */
-
-static size_t traps_before(const struct plane_study *s, size_t rest)
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < rest; i++)
-        n += plane_rest_attracts(&s->rest[i], false);
-    return n;
-}
-
-size_t plane_label_beyond(const struct plane_study *s)
-{
-    return traps_before(s, s->rests);
-}
-
-int8_t plane_label_of(const struct plane_study *s, const struct plane_goal *g)
-{
-    size_t n = plane_label_beyond(s);
-
-    if (g->kind == PLANE_GOAL_REST)
-        return (int8_t) traps_before(s, g->index);
-    for (size_t i = 0; i < s->beyonds && g->kind == PLANE_GOAL_LEFT; i++)
-        if (s->beyond[i].rests && !s->beyond[i].breaks &&
-            !s->beyond[i].way[0] && !s->beyond[i].way[1])
-            return (int8_t) (n + i);
-    for (size_t i = 0; i < s->beyonds && g->kind == PLANE_GOAL_BEYOND; i++)
-        if (plane_beyond_agree(s, &s->beyond[i], &g->beyond))
-            return (int8_t) (n + i);
-    if (g->kind != PLANE_GOAL_CYCLE || g->index >= s->cycles)
-        return -1;
-    n += s->beyonds;
-    for (size_t k = 0; k < g->index; k++)
-        n += s->cycle[k].type == PLANE_CYCLE_STABLE;
-    return (int8_t) n;
-}
-
-/* Whether it is of something outside the window. */
-static bool is_outside(const struct plane_study *s, int8_t label)
-{
-    size_t n = 0;
-
-    for (size_t i = 0; i < s->rests; i++)
-        if (plane_rest_attracts(&s->rest[i], false) && n++ == (size_t) label)
-            return i >= s->listed;
-    if (label < 0 || (size_t) label < n + s->beyonds)
-        return label >= 0;
-    n += s->beyonds;
-    for (size_t k = 0; k < s->cycles; k++)
-        if (s->cycle[k].type == PLANE_CYCLE_STABLE && n++ == (size_t) label)
-            return !box_holds(s->window.box, s->cycle[k].round.at[0]);
-    return false;
-}
-
-bool plane_label_allows(const struct plane_study *s, int8_t label,
-                        const struct plane_goal *g)
-{
-    const size_t n = plane_label_beyond(s), i = (size_t) label - n;
-
-    if (g->kind == PLANE_GOAL_LEFT)
-        return is_outside(s, label);
-    if (g->kind == PLANE_GOAL_BEYOND && label >= 0 && (size_t) label >= n &&
-        i < s->beyonds)
-        return plane_beyond_agree(s, &s->beyond[i], &g->beyond);
-    return label == plane_label_of(s, g);
-}
-
-bool plane_label_is_same(const struct plane_study *s,
-                         const struct plane_goal *a, const struct plane_goal *b)
-{
-    if (a->kind != b->kind || a->kind == PLANE_GOAL_LEFT)
-        return a->kind == b->kind;
-    return a->kind == PLANE_GOAL_BEYOND
-               ? plane_beyond_agree(s, &a->beyond, &b->beyond)
-               : a->index == b->index;
-}
-
-/* Whether it is of something outside the window. */
-static bool is_beyond(const struct plane_study *s, const struct plane_goal *g)
-{
-    return g->kind == PLANE_GOAL_LEFT || g->kind == PLANE_GOAL_BEYOND ||
-           (g->kind == PLANE_GOAL_REST && g->index >= s->listed) ||
-           (g->kind == PLANE_GOAL_CYCLE &&
-            !box_holds(s->window.box, g->round.at[0]));
-}
-
-/* Whether both are one; *a then is what is known of it. */
-static bool meet(const struct plane_study *s, struct plane_goal *a,
-                 const struct plane_goal *b)
-{
-    if (b->kind == PLANE_GOAL_LEFT)
-        return is_beyond(s, a);
-    if (a->kind != b->kind)
-        return false;
-    if (a->kind != PLANE_GOAL_BEYOND)
-        return a->index == b->index;
-    if (a->beyond.rests != b->beyond.rests ||
-        a->beyond.breaks != b->beyond.breaks)
-        return false;
-    plane_beyond_meet(s, &a->beyond, &b->beyond);
-    return true;
-}
 
 /* ---- curves that divide -------------------------------------------------- */
 
@@ -140,6 +38,7 @@ struct labelling {
     bool *done, *seen; /* by region, of patches: asked once; and once more */
     enum plane_side *told; /* by region, of patches */
     struct vec2 *at;       /* where the orbit began that told their goal */
+    struct plane_parts parts;
     bool tiny;    /* the patch is so small that rounding makes closed orbits */
     int edges;    /* looked for in this window */
     size_t known; /* curves that are borders, when it began */
@@ -168,7 +67,7 @@ static bool knows(void *ctx, struct vec2 z, struct plane_goal *out)
     size_t patch;
 
     l->s->basin.steps += plane_patch_work(l->p, 1);
-    if (!patch_at(l, z, &patch))
+    if (!patch_at(l, z, &patch) || l->parts.several[patch])
         return false;
     *out = l->p->goal[patch];
     return out->kind != PLANE_GOAL_NONE;
@@ -276,7 +175,7 @@ static enum status find_goal(struct labelling *l, const struct patch_whole *w,
     enum status status = STATUS_OK;
 
     l->seen[w->patch] = l->told[w->patch] == PLANE_SIDE_TOLD;
-    if (l->told[w->patch] == PLANE_SIDE_NONE &&
+    if (l->told[w->patch] == PLANE_SIDE_NONE && !l->p->alone[w->patch] &&
         plane_patch_place(l->p, w->largest, z))
         status = follow(l, *z, !small, goal);
     l->done[w->patch] = true;
@@ -298,12 +197,13 @@ static enum status compare(struct labelling *l, size_t patch, struct vec2 z,
     const bool both =
         own->kind != PLANE_GOAL_NONE && goal->kind != PLANE_GOAL_NONE;
 
-    const bool one = meet(l->s, own, goal);
+    const bool one = plane_goal_meet(l->s, own, goal);
     const bool less = own->beyond.way[0] != e.goal[0].beyond.way[0] ||
                       own->beyond.way[1] != e.goal[0].beyond.way[1];
     if (!one)
         own->kind = PLANE_GOAL_NONE;
-    return both && (!one || less) && l->edges++ < EDGES
+    return both && (!one || less) && !l->parts.several[patch] &&
+                   l->edges++ < EDGES
                ? plane_edge_find(l->s, &e, ask_alone, l)
                : STATUS_OK;
 }
@@ -345,6 +245,32 @@ static bool has_work(struct labelling *l)
 
     l->s->basin.unknown[PLANE_UNKNOWN_WORK] |= !work;
     return work;
+}
+
+/* Every part (plane_parts.h) of a patch that has several; no orbit speaks for
+ * such patches where work does not go so far. */
+static enum status look_at_parts(struct labelling *l,
+                                 const struct monitor *monitor)
+{
+    const size_t cells = l->parts.n * l->parts.n;
+    enum status status = STATUS_OK;
+    struct vec2 z[LOOKS];
+    size_t count = 0;
+
+    for (size_t i = 0;
+         i < cells && status == STATUS_OK && !has_news(l) && has_work(l); i++) {
+        count += plane_parts_place(&l->parts, l->s, i, &z[count]);
+        if (count < LOOKS && i + 1 < cells)
+            continue;
+        status = monitor_tell(monitor, "parts", i, cells)
+                     ? STATUS_STOPPED
+                     : look_from(l, z, count);
+        count = 0;
+    }
+    for (size_t k = 0; k < l->p->r->count && cells > 0 && !has_work(l); k++)
+        if (l->parts.several[k])
+            l->p->goal[k].kind = PLANE_GOAL_NONE;
+    return status;
 }
 
 /* Places spread over the window, and the middles of large regions, until there
@@ -409,8 +335,8 @@ static enum status divide(struct labelling *l, double all,
             continue;
         status = monitor_tell(monitor, "cells", i, p->r->count)
                      ? STATUS_STOPPED
-                     : plane_mosaic_add(l->s, l->p, i, area / all, done + more,
-                                        ask, l);
+                     : plane_mosaic_add(l->s, l->p, &l->parts, i, area / all,
+                                        done + more, ask, l);
         left -= area;
     }
     return status;
@@ -445,6 +371,8 @@ static enum status find_goals(struct labelling *l, struct patch_whole w[],
 
     l->s->basin.steps = 0;
     if (status == STATUS_OK)
+        status = look_at_parts(l, monitor);
+    if (status == STATUS_OK)
         status = look_over(l, least, monitor);
     for (size_t k = 0; k < l->p->r->count && w[k].area >= least && !has_work(l);
          k++)
@@ -478,14 +406,18 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
     enum status status =
         w && l.done && l.seen && l.told && l.at ? STATUS_OK : STATUS_NO_MEMORY;
 
-    plane_patch_join(p);
+    if (status == STATUS_OK)
+        status = plane_patch_join(p);
+    if (status == STATUS_OK)
+        status = plane_parts_find(p, &l.parts);
     if (status == STATUS_OK)
         status = find_goals(&l, w, monitor);
     *news = has_news(&l);
     if (status == STATUS_OK)
         status = plane_beyond_finish(s);
     for (size_t i = 0; i < p->r->count && status == STATUS_OK; i++) {
-        const int8_t label = plane_label_of(s, &p->goal[plane_patch_of(p, i)]);
+        const int8_t label =
+            plane_goal_label(s, &p->goal[plane_patch_of(p, i)]);
         p->r->region[i].label = label < 0 ? REGION_UNLABELLED : label;
     }
     if (status == STATUS_OK)
@@ -495,5 +427,6 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
     free(l.seen);
     free(l.told);
     free(l.at);
+    plane_parts_free(&l.parts);
     return status;
 }

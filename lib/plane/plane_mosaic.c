@@ -27,7 +27,7 @@ static enum status number_of(struct plane_study *s,
     *number = UNKNOWN;
     if (goal->kind == PLANE_GOAL_NONE)
         return STATUS_OK;
-    while (i < b->goals && !plane_label_is_same(s, &b->goal[i], goal))
+    while (i < b->goals && !plane_goal_is_same(s, &b->goal[i], goal))
         i++;
     if (i == GOALS_MOST)
         return STATUS_OK;
@@ -97,6 +97,8 @@ static bool place_at(const struct square *q, struct vec2 part,
 struct dividing {
     struct plane_study *s;
     struct patches *p;
+    const struct plane_parts *parts; /* borrowed */
+    size_t patch;
     struct square square;
     int levels, n;     /* n = 2^levels */
     int8_t *middle[9]; /* of the cells of each level and those around; or OPEN
@@ -138,6 +140,24 @@ static enum status ask_middle(struct dividing *d, int level, int i, int j,
     return status;
 }
 
+/* Whether the box about the corners of a cell meets two parts of its patch. */
+static bool is_parted(struct dividing *d, int level, int i, int j)
+{
+    const double n = 1 << level;
+    struct box b = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    struct vec2 z;
+
+    for (int k = 0; k < 4 && d->parts->n > 0; k++)
+        if (place_at(&d->square,
+                     (struct vec2){ inside((i + k % 2) / n),
+                                    inside((j + k / 2) / n) },
+                     d->p->above, &z)) {
+            b.lo = (struct vec2){ fmin(b.lo.x, z.x), fmin(b.lo.y, z.y) };
+            b.hi = (struct vec2){ fmax(b.hi.x, z.x), fmax(b.hi.y, z.y) };
+        }
+    return b.lo.x <= b.hi.x && plane_parts_divide(d->parts, d->s, d->patch, b);
+}
+
 /* What is known of a cell: the goal of its middle and of all beside it, or that
  * none of them has one; or OPEN. */
 static enum status ask_cell(struct dividing *d, int level, int i, int j,
@@ -151,6 +171,8 @@ static enum status ask_cell(struct dividing *d, int level, int i, int j,
         if (other != *out)
             *out = OPEN;
     }
+    if (*out != OPEN && level < d->levels && is_parted(d, level, i, j))
+        *out = OPEN;
     return status;
 }
 
@@ -220,13 +242,16 @@ static int levels_to(double side, double part)
 }
 
 enum status plane_mosaic_add(struct plane_study *s, struct patches *p,
-                             size_t region, double part, int64_t most,
-                             plane_ask *ask, void *ctx)
+                             const struct plane_parts *parts, size_t region,
+                             double part, int64_t most, plane_ask *ask,
+                             void *ctx)
 {
     struct plane_basin *b = &s->basin;
     const int levels = levels_to(TOL_PLANE_CELL, fmin(part, 1.0));
     struct dividing d = { .s = s,
                           .p = p,
+                          .parts = parts,
+                          .patch = plane_patch_of(p, region),
                           .square = square_of(s, region),
                           .levels = levels,
                           .n = 1 << levels,
@@ -253,7 +278,7 @@ void plane_mosaic_name(struct plane_study *s)
         const struct plane_mosaic *m = &s->basin.mosaic[k];
         for (int i = 0; i < m->n * m->n; i++)
             if (m->label[i] >= 0)
-                m->label[i] = plane_label_of(s, &s->basin.goal[m->label[i]]);
+                m->label[i] = plane_goal_label(s, &s->basin.goal[m->label[i]]);
     }
 }
 

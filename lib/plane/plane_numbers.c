@@ -16,7 +16,7 @@ static struct quantity share_of(const struct plane_study *s,
                                 const struct plane_goal *goal,
                                 const char *reason)
 {
-    const int8_t label = plane_label_of(s, goal);
+    const int8_t label = plane_goal_label(s, goal);
 
     return label < 0 || !s->basin.share ? quantity_none(reason)
                                         : s->basin.share[label].fraction;
@@ -49,7 +49,7 @@ static struct quantity share_beyond(const struct plane_study *s, bool rests,
     for (size_t i = 0; i < s->beyonds; i++)
         if (s->beyond[i].rests == rests && s->beyond[i].breaks == breaks)
             sum =
-                sum_of(sum, s->basin.share[plane_label_beyond(s) + i].fraction);
+                sum_of(sum, s->basin.share[plane_goal_beyond(s) + i].fraction);
     return sum;
 }
 

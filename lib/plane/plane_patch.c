@@ -121,6 +121,7 @@ static void join_bands(struct patches *p, const struct band *lower,
                                   sure_end(p, p->above, n, j + 1, -1.0));
         const struct box door = { { left, lower->hi }, { right, upper->lo } };
         if (open_part(c, lower->hi, upper->lo, left, right) > least &&
+            !p->alone[lower->first + k] && !p->alone[upper->first + j] &&
             is_open(p, door))
             join(p, lower->first + k, upper->first + j);
         k += below <= above;
@@ -137,10 +138,79 @@ bool plane_patch_is_door(const struct plane_study *s, const struct band *band)
            TOL_SAME * s->scale.side.y;
 }
 
-void plane_patch_join(struct patches *p)
+/* ---- where formulas have no values --------------------------------------- */
+
+/* Where the ends of a band's regions are on some of its rows, and how much that
+ * changes from one of these to the next. */
+struct end_range {
+    double lo, hi, last, more;
+};
+
+static void find_ranges(const struct patches *p, const struct band *band,
+                        double from, double to, struct end_range out[])
+{
+    enum { ROWS = 4 };
+
+    for (size_t k = 0; k <= band->strands + 1; k++)
+        out[k] = (struct end_range){ HUGE_VAL, -HUGE_VAL, NAN, 0.0 };
+    for (int i = 0; i < ROWS; i++) {
+        const double y = from + off_middle(i, i + 1) / ROWS * (to - from);
+        if (separatrix_row(p->r->separatrix, y, p->below) != band->strands)
+            continue;
+        for (size_t k = 0; k <= band->strands + 1; k++) {
+            const double at = plane_patch_end(p->s, p->below, band->strands, k);
+            out[k].lo = fmin(out[k].lo, at);
+            out[k].hi = fmax(out[k].hi, at);
+            out[k].more = fmax(out[k].more, fabs(at - out[k].last));
+            out[k].last = at;
+        }
+    }
+}
+
+/* The small regions of a band, unless formulas have values in the box about
+ * them; range: room for most + 2. */
+static void find_alone(struct patches *p, const struct band *band, double least,
+                       struct end_range range[])
+{
+    const struct box w = p->s->window.box;
+    struct box b = { { w.lo.x, fmax(band->lo, w.lo.y) },
+                     { w.hi.x, fmin(band->hi, w.hi.y) } };
+
+    if (!(b.lo.y < b.hi.y) || plane_defined_in(p->s->plan, p->s, b))
+        return;
+    find_ranges(p, band, b.lo.y, b.hi.y, range);
+    for (size_t k = 0; k <= band->strands; k++) {
+        const struct end_range *r = &range[k];
+        b.lo.x = fmax(r[0].lo - r[0].more, w.lo.x);
+        b.hi.x = fmin(r[1].hi + r[1].more, w.hi.x);
+        p->alone[band->first + k] = p->area[band->first + k].value < least &&
+                                    b.lo.x < b.hi.x &&
+                                    !plane_defined_in(p->s->plan, p->s, b);
+    }
+}
+
+static enum status find_all_alone(struct patches *p)
+{
+    struct end_range *range = calloc(p->r->most + 2, sizeof *range);
+    double all = 0.0;
+
+    for (size_t i = 0; i < p->r->count; i++)
+        all += p->area[i].value;
+    for (size_t i = 0; i < p->r->bands && range; i++)
+        find_alone(p, &p->r->band[i], TOL_PLANE_CELL * all, range);
+    const bool room = range != NULL;
+    free(range);
+    return room ? STATUS_OK : STATUS_NO_MEMORY;
+}
+
+/* ---- joined -------------------------------------------------------------- */
+
+enum status plane_patch_join(struct patches *p)
 {
     const struct band *last = NULL;
 
+    if (p->s->broken && find_all_alone(p) != STATUS_OK)
+        return STATUS_NO_MEMORY;
     for (size_t i = 0; i < p->r->count; i++)
         p->of[i] = i;
     for (size_t i = 0; i < p->r->bands; i++) {
@@ -151,6 +221,7 @@ void plane_patch_join(struct patches *p)
             join_bands(p, last, band);
         last = band;
     }
+    return STATUS_OK;
 }
 
 /* ---- inside ------------------------------------------------------------- */

@@ -9,6 +9,8 @@ struct patches {
     struct plane_study *s;
     struct regions *r;
     size_t *of;
+    bool *alone; /* small, and formulas may have no values in it: it is joined
+                    to no other, and no orbit speaks for it */
     struct area *area, *part; /* in the window, and in a part of it */
     struct plane_goal *goal;  /* of the first regions */
     struct crossing *below, *above, *before;
@@ -27,8 +29,8 @@ double plane_patch_end(const struct plane_study *s, const struct crossing c[],
 /* Thin bands are none: a curve ends before what it goes to. */
 bool plane_patch_is_door(const struct plane_study *s, const struct band *band);
 
-/* Fills p->of. */
-void plane_patch_join(struct patches *p);
+/* Fills p->of and p->alone; areas are known.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_patch_join(struct patches *p);
 
 /* How many steps of orbits take as long as to find the crossings of rows. */
 int64_t plane_patch_work(const struct patches *p, int rows);

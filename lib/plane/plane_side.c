@@ -84,13 +84,14 @@ static void tell(struct sides *d, size_t region, const struct plane_goal *goal,
     const size_t patch = plane_patch_of(d->p, region);
     struct plane_goal *own = &d->p->goal[patch];
 
-    if (goal == NULL || d->told[patch] == PLANE_SIDE_DIFFER)
+    if (goal == NULL || d->p->alone[patch] ||
+        d->told[patch] == PLANE_SIDE_DIFFER)
         return;
     if (d->told[patch] == PLANE_SIDE_NONE) {
         d->told[patch] = PLANE_SIDE_TOLD;
         d->at[patch] = at;
         *own = *goal;
-    } else if (!plane_label_is_same(d->s, own, goal)) {
+    } else if (!plane_goal_is_same(d->s, own, goal)) {
         d->told[patch] = PLANE_SIDE_DIFFER;
         own->kind = PLANE_GOAL_NONE;
         d->s->basin.unknown[PLANE_UNKNOWN_BORDER] |= d->given_up;

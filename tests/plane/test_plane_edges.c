@@ -188,6 +188,43 @@ static void orbits_that_end_at_a_pole_leave_work_for_the_others(void **state)
     plane_end(&s, &c);
 }
 
+/* An electrostatic actuator: from the left of the plate at x = 1 orbits come to
+ * (0.133, 0) or run into it, from the right of it, which repels without bound,
+ * they come to (1.28, 0).  Bands between the turns of the saddle's manifold are
+ * 0.2 to 1 % of the window high, and go across the plate. */
+static void no_orbit_speaks_across_a_pole(void **state)
+{
+    enum { N = 64 };
+    struct plane_study s;
+    struct scene c;
+    struct plane_goal goal;
+    int8_t map[N * N];
+
+    (void) state;
+    plane_run(&s, &c, "x' = v; v' = -x - 0.2*v + 0.1/(1 - x)^2",
+              "window={x: [-1, 2], v: [-1.5, 1.5]}\nproducts=[basins]\n"
+              "basins.audit=500\n");
+    assert_int_equal(plane_basin_fill(&s, N, N, 0, N, map), STATUS_OK);
+    for (size_t k = 0; k < N * N; k++) {
+        const double x = plane_basin_cell(&s, 0, k % N, N, true),
+                     v = plane_basin_cell(&s, 1, k / N, N, true);
+        const char *name = s.basin.name[map[k]];
+        CHECK(strcmp(name, "undecided") == 0 ||
+                  (strcmp(name, "stable_focus_1") == 0) == (x > 1.0),
+              "(%g, %g) goes to %s", x, v, name);
+    }
+    assert_int_equal(s.basin.disagreements, 0);
+    CHECK(s.basin.elsewhere.undecided.value < 0.06, "%g undecided",
+          s.basin.elsewhere.undecided.value);
+    assert_int_equal(
+        plane_orbit(&s, (struct vec2){ 0.617, 0.0234 }, false, NULL, &goal),
+        STATUS_OK);
+    CHECK(goal.kind == PLANE_GOAL_BEYOND && goal.beyond.breaks &&
+              goal.steps < 500,
+          "%d after %zu steps", goal.kind, goal.steps);
+    plane_end(&s, &c);
+}
+
 /* Its own end, and the length to there; beside the pole that repels, which is
  * no border, cells are asked. */
 static void manifolds_do_not_cross_poles(void **state)
@@ -383,6 +420,7 @@ int main(void)
         TEST(orbits_about_a_centre_do_not_leave),
         TEST(where_the_field_ends_is_not_infinity),
         TEST(orbits_that_end_at_a_pole_leave_work_for_the_others),
+        TEST(no_orbit_speaks_across_a_pole),
         TEST(manifolds_do_not_cross_poles),
         TEST(manifolds_end_at_what_comes_first),
         TEST(outside_the_window_nothing_passes_an_equilibrium),
