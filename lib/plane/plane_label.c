@@ -35,6 +35,8 @@ static size_t borders_of(const struct plane_study *s)
 struct labelling {
     struct patches *p;
     struct plane_study *s;
+    const struct monitor *monitor; /* borrowed; or NULL */
+    uint64_t orbits;               /* of which it was told */
     bool *done, *seen; /* by region, of patches: asked once; and once more */
     enum plane_side *told; /* by region, of patches */
     struct vec2 *at;       /* where the orbit began that told their goal */
@@ -142,13 +144,25 @@ static enum status take(struct labelling *l, struct plane_goal *goal)
     return status;
 }
 
+/* Asked before each orbit, by any thread. */
+static bool is_stopped(struct labelling *l)
+{
+    bool stopped;
+
+#pragma omp critical
+    stopped = monitor_tell(l->monitor, "regions", l->orbits++, 0) != 0;
+    return stopped;
+}
+
 static enum status follow(struct labelling *l, struct vec2 z, bool alone,
                           struct plane_goal *goal)
 {
     const struct plane_guide guide = { .rounds = &l->s->rounds,
                                        .knows = alone ? NULL : knows,
                                        .ctx = l };
-    const enum status status = plane_orbit(l->s, z, false, &guide, goal);
+    const enum status status = is_stopped(l)
+                                   ? STATUS_STOPPED
+                                   : plane_orbit(l->s, z, false, &guide, goal);
 
     return status ? status : take(l, goal);
 }
@@ -214,19 +228,21 @@ static enum status look_from(struct labelling *l, const struct vec2 z[],
 {
     struct plane_goal goal[LOOKS];
     size_t patch[LOOKS];
-    bool known[LOOKS], failed = false;
+    bool known[LOOKS], stopped = false, failed = false;
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i < n; i++)
         known[i] = patch_at(l, z[i], &patch[i]) &&
                    l->p->goal[patch[i]].kind != PLANE_GOAL_NONE;
-#pragma omp parallel for schedule(dynamic, 1) reduction(|| : failed)
-    for (size_t i = 0; i < n; i++)
-        failed = (known[i] && plane_orbit(l->s, z[i], false, NULL, &goal[i]) !=
-                                  STATUS_OK) ||
-                 failed;
-    if (failed)
-        return STATUS_NO_MEMORY;
+#pragma omp parallel for schedule(dynamic, 1) reduction(|| : failed, stopped)
+    for (size_t i = 0; i < n; i++) {
+        stopped = stopped || is_stopped(l);
+        failed = failed ||
+                 (known[i] && !stopped &&
+                  plane_orbit(l->s, z[i], false, NULL, &goal[i]) != STATUS_OK);
+    }
+    if (failed || stopped)
+        return failed ? STATUS_NO_MEMORY : STATUS_STOPPED;
     for (size_t i = 0; i < n && status == STATUS_OK; i++) {
         if (!known[i])
             continue;
@@ -249,8 +265,7 @@ static bool has_work(struct labelling *l)
 
 /* Every part (plane_parts.h) of a patch that has several; no orbit speaks for
  * such patches where work does not go so far. */
-static enum status look_at_parts(struct labelling *l,
-                                 const struct monitor *monitor)
+static enum status look_at_parts(struct labelling *l)
 {
     const size_t cells = l->parts.n * l->parts.n;
     enum status status = STATUS_OK;
@@ -262,9 +277,7 @@ static enum status look_at_parts(struct labelling *l,
         count += plane_parts_place(&l->parts, l->s, i, &z[count]);
         if (count < LOOKS && i + 1 < cells)
             continue;
-        status = monitor_tell(monitor, "parts", i, cells)
-                     ? STATUS_STOPPED
-                     : look_from(l, z, count);
+        status = look_from(l, z, count);
         count = 0;
     }
     for (size_t k = 0; k < l->p->r->count && cells > 0 && !has_work(l); k++)
@@ -275,8 +288,7 @@ static enum status look_at_parts(struct labelling *l,
 
 /* Places spread over the window, and the middles of large regions, until there
  * is a curve that divides more. */
-static enum status look_over(struct labelling *l, double least,
-                             const struct monitor *monitor)
+static enum status look_over(struct labelling *l, double least)
 {
     const size_t regions = l->p->r->count, n = TOL_PLANE_LOOKS + regions;
     enum status status = STATUS_OK;
@@ -294,9 +306,7 @@ static enum status look_over(struct labelling *l, double least,
         }
         if (count < LOOKS && i + 1 < n)
             continue;
-        status = monitor_tell(monitor, "regions", i, n)
-                     ? STATUS_STOPPED
-                     : look_from(l, z, count);
+        status = look_from(l, z, count);
         count = 0;
     }
     return status;
@@ -316,8 +326,7 @@ static bool is_open(const struct labelling *l, size_t region, double part)
 }
 
 /* Those regions, with work by their areas. */
-static enum status divide(struct labelling *l, double all,
-                          const struct monitor *monitor)
+static enum status divide(struct labelling *l, double all)
 {
     const struct patches *p = l->p;
     enum status status = STATUS_OK;
@@ -333,10 +342,8 @@ static enum status divide(struct labelling *l, double all,
                                         area / left);
         if (!is_open(l, i, area / all))
             continue;
-        status = monitor_tell(monitor, "cells", i, p->r->count)
-                     ? STATUS_STOPPED
-                     : plane_mosaic_add(l->s, l->p, &l->parts, i, area / all,
-                                        done + more, ask, l);
+        status = plane_mosaic_add(l->s, l->p, &l->parts, i, area / all,
+                                  done + more, ask, l);
         left -= area;
     }
     return status;
@@ -357,8 +364,7 @@ static enum status find_goals_of(struct labelling *l,
 }
 
 /* The large ones first; the tiny ones if no border is new and work is left. */
-static enum status find_goals(struct labelling *l, struct patch_whole w[],
-                              const struct monitor *monitor)
+static enum status find_goals(struct labelling *l, struct patch_whole w[])
 {
     const double all = plane_patch_sort(l->p, w), least = TOL_SEEN * all;
     size_t next = 0;
@@ -371,9 +377,9 @@ static enum status find_goals(struct labelling *l, struct patch_whole w[],
 
     l->s->basin.steps = 0;
     if (status == STATUS_OK)
-        status = look_at_parts(l, monitor);
+        status = look_at_parts(l);
     if (status == STATUS_OK)
-        status = look_over(l, least, monitor);
+        status = look_over(l, least);
     for (size_t k = 0; k < l->p->r->count && w[k].area >= least && !has_work(l);
          k++)
         if (!l->seen[w[k].patch]) /* one orbit's goal is not all of its */
@@ -384,7 +390,7 @@ static enum status find_goals(struct labelling *l, struct patch_whole w[],
         status = find_goals_of(l, w, &next, 0.0, least);
     l->tiny = false;
     if (status == STATUS_OK && !has_news(l))
-        status = divide(l, all, monitor);
+        status = divide(l, all);
     for (size_t i = 0; i < l->p->r->count && status == STATUS_OK; i++)
         if (l->p->goal[i].kind == PLANE_GOAL_BEYOND)
             status = plane_beyond_add(l->s, &l->p->goal[i].beyond);
@@ -398,6 +404,7 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
     struct patch_whole *w = calloc(n, sizeof *w);
     struct labelling l = { .p = p,
                            .s = s,
+                           .monitor = monitor,
                            .done = calloc(n, sizeof *l.done),
                            .seen = calloc(n, sizeof *l.seen),
                            .told = calloc(n, sizeof *l.told),
@@ -411,7 +418,7 @@ enum status plane_label_all(struct plane_study *s, struct patches *p,
     if (status == STATUS_OK)
         status = plane_parts_find(p, &l.parts);
     if (status == STATUS_OK)
-        status = find_goals(&l, w, monitor);
+        status = find_goals(&l, w);
     *news = has_news(&l);
     if (status == STATUS_OK)
         status = plane_beyond_finish(s);

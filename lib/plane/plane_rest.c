@@ -197,24 +197,27 @@ static bool settle(const struct plane_study *s, struct vec2 *z)
     return false;
 }
 
-/* Whether the Jacobian determinant has one sign at the corners of a box about
- * an absolute point: no curve of equilibria goes through. */
+/* Whether the Jacobian determinant hardly changes from the middle of a box to
+ * its corners: no curve of equilibria goes through, simple or double. */
 static bool is_simple(const struct plane_study *s, struct vec2 z,
                       struct vec2 near)
 {
+    static const struct vec2 at[] = {
+        { 0, 0 }, { -1, -1 }, { 1, -1 }, { -1, 1 }, { 1, 1 }
+    };
     const struct planar *system = &s->system[0];
-    bool positive[2] = { true, true };
+    double det[5];
+    bool simple = true;
 
-    for (int i = 0; i < 4; i++) {
-        const struct vec2 d = { i % 2 ? near.x : -near.x,
-                                i / 2 ? near.y : -near.y };
+    for (int i = 0; i < 5; i++) {
+        const struct vec2 d = { at[i].x * near.x, at[i].y * near.y };
         struct planar_jacobian J;
         system->jacobian(system->ctx, vec2_sub(vec2_add(z, d), system->origin),
                          &J);
-        positive[0] = positive[0] && mat2_det(J.matrix) > 0.0;
-        positive[1] = positive[1] && mat2_det(J.matrix) < 0.0;
+        det[i] = exp(2.0 * J.field.log_scale) * mat2_det(J.matrix);
+        simple = simple && fabs(det[i] - det[0]) < 0.5 * fabs(det[0]);
     }
-    return positive[0] || positive[1];
+    return simple;
 }
 
 static enum status append(struct plane_study *s,
@@ -268,9 +271,9 @@ enum status plane_rest_add(struct plane_study *s, struct vec2 z, size_t *index)
     found = malloc(sizeof *found);
     if (found == NULL)
         return STATUS_NO_MEMORY;
-    if (system_equilibria_find(s->scene->system, &w, found, &why) ==
-            STATUS_OK &&
-        found->count == 1 && found->complete &&
+    status = system_equilibria_find(s->scene->system, &w, found, &why);
+    s->basin.steps += status ? 0 : found->boxes / TOL_PLANE_BOXES;
+    if (status == STATUS_OK && found->count == 1 && found->complete &&
         found->equilibrium[0].type != SYSTEM_NONHYPERBOLIC)
         status = append(s, &found->equilibrium[0], &why);
     free(found);

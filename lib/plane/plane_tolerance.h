@@ -22,9 +22,11 @@
  * steps in turn (TOL_MONITOR_STEPS) are held to little of the window, and to
  * where the velocity changes by little of itself, or TOL_EXPLICIT_STEPS did
  * not bring it round; steps of all orbits, for labels and for audits, where so
- * many crossings of rows with curves take as long as a step. */
+ * many crossings of rows with curves, or boxes of a search for an equilibrium,
+ * take as long as a step. */
 #define TOL_PLANE_WORK      200000
 #define TOL_PLANE_CROSSINGS 256
+#define TOL_PLANE_BOXES     16
 
 /* Basins of such planes, of cycles that are kept to TOL_RTOL_DEFAULT: states
  * that are followed to look for curves that divide it: a part p of one label

@@ -1,5 +1,7 @@
 /* Shares of basins where the field ends, is degenerate, or no curve is known
  * that divides. */
+#include <time.h>
+
 #include "plane_orbit.h"
 #include "plane_shares.h"
 
@@ -325,6 +327,54 @@ static void closed_orbits_of_a_well_attract_nothing(void **state)
     }
 }
 
+/* When it was told last, the longest between, in seconds of the processor, and
+ * when it stops. */
+struct told {
+    clock_t last, end;
+    double longest;
+};
+
+static int tell(void *ctx, const char *stage, uint64_t done, uint64_t total)
+{
+    struct told *t = ctx;
+    const clock_t now = clock();
+
+    (void) stage;
+    (void) done;
+    (void) total;
+    t->longest =
+        fmax(t->longest, (double) (now - t->last) / (double) CLOCKS_PER_SEC);
+    t->last = now;
+    return now >= t->end;
+}
+
+/* All states of N = 0 rest, and the determinant there is a double 0: half of
+ * the orbits come to that line, where no search finds one equilibrium. */
+static void a_line_of_equilibria_is_not_searched_by_every_orbit(void **state)
+{
+    enum { SECONDS = 60 };
+    struct told told = { .longest = 0.0 };
+    const struct monitor monitor = { tell, &told };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "n' = -n^2; p' = -0.29*n^2 - 1.42*n - 2*n*p",
+              "window={n: [0, 10], p: [0, 10]}\nproducts=[equilibria]\n"
+              "basins.audit=20\n");
+    told.last = clock();
+    told.end = told.last + SECONDS * CLOCKS_PER_SEC;
+    assert_int_equal(plane_basin_find(&s, &monitor), STATUS_OK);
+    CHECK(told.longest < 2.0, "an interrupt is heard after %g s", told.longest);
+    CHECK(s.basin.unknown[PLANE_UNKNOWN_LOST] &&
+              share_of(&s, "undecided")->fraction.value > 0.5,
+          "%g undecided", share_of(&s, "undecided")->fraction.value);
+    told.end = clock() + CLOCKS_PER_SEC / 10;
+    plane_basin_free(&s.basin);
+    assert_int_equal(plane_basin_find(&s, &monitor), STATUS_STOPPED);
+    plane_end(&s, &c);
+}
+
 static void what_is_undecided_has_its_reasons(void **state)
 {
     static const struct {
@@ -425,6 +475,7 @@ int main(void)
         TEST(manifolds_end_at_what_comes_first),
         TEST(outside_the_window_nothing_passes_an_equilibrium),
         TEST(closed_orbits_of_a_well_attract_nothing),
+        TEST(a_line_of_equilibria_is_not_searched_by_every_orbit),
         TEST(what_is_undecided_has_its_reasons),
         TEST(rotations_that_attract_go_to_infinity),
         TEST(a_row_through_the_ends_of_two_branches_has_no_label),
