@@ -1,6 +1,7 @@
 """What the cli_*.py share: a folder to run slipway in, and TAP."""
 import atexit
 import csv
+import inspect
 import json
 import os
 import pty
@@ -179,8 +180,18 @@ def seen_on_a_terminal(room, *args):
     return seen.decode()
 
 
+def uncalled():
+    """Functions of a room that the script defines and names nowhere else."""
+    script = sys.modules['__main__']
+    text = inspect.getsource(script)
+    return [name for name, what in inspect.getmembers(script, inspect.isfunction)
+            if what.__module__ == '__main__' and text.count(name) == 1
+            and list(inspect.signature(what).parameters) == ['room']]
+
+
 def run_cases(cases):
     """usage of every cli_*.py: PATH_TO_SLIPWAY SOURCE_ROOT"""
+    expect(uncalled() == [], 'not among the cases:', uncalled())
     slipway, source = (os.path.realpath(path) for path in sys.argv[1:3])
     failed = False
     print(f'1..{len(cases)}')
