@@ -1,7 +1,6 @@
 /* answers.h -- what push, simulate, whole orbits, maps and 113 bits tell of a
  * state, and whether that is one answer within its bars. */
-#ifndef TESTS_ANSWERS_H
-#define TESTS_ANSWERS_H
+#pragma once
 
 #include "any_law.h"
 #include "cells_of.h"
@@ -339,5 +338,3 @@ static inline void finish(struct tally *t)
         for (int k = 0; k < CELL_FIELDS; k++)
             free(t->ratio[r][k]);
 }
-
-#endif

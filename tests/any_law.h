@@ -1,6 +1,5 @@
 /* any_law.h -- random laws, materials and slopes. */
-#ifndef TESTS_ANY_LAW_H
-#define TESTS_ANY_LAW_H
+#pragma once
 
 #include "laws.h"
 #include "scene.h"
@@ -68,5 +67,3 @@ static inline bool drawn_slope(uint64_t *rng, struct scene *s)
     }
     return s->tan_alpha > 0.02L && s->tan_alpha < 5.0L;
 }
-
-#endif

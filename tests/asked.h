@@ -1,6 +1,5 @@
 /* asked.h -- a study asked for as a user would: settings "key=value". */
-#ifndef TESTS_ASKED_H
-#define TESTS_ASKED_H
+#pragma once
 
 #include <string.h>
 
@@ -56,5 +55,3 @@ static inline void asked_free(struct asked *a)
     study_free(&a->study);
     scene_free(&a->scene);
 }
-
-#endif

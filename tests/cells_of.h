@@ -1,6 +1,5 @@
 /* cells_of.h -- cells of one slope, for tests. */
-#ifndef TESTS_CELLS_OF_H
-#define TESTS_CELLS_OF_H
+#pragma once
 
 #include "cells.h"
 #include "slope.h"
@@ -61,5 +60,3 @@ static inline void is_near(const struct cell *c, enum cell_field k,
           "%s: %.16g +- %g, not %.16g", record_cell.fields[1 + 2 * k].name,
           value(c, k), error(c, k), truth);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* check.h -- what every test program shares: cmocka, a seed, random numbers,
  * and CHECK, which says what was found.  A test's name is a sentence. */
-#ifndef TESTS_CHECK_H
-#define TESTS_CHECK_H
+#pragma once
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -44,5 +43,3 @@ static inline double check_uniform(uint64_t *state, double lo, double hi)
 {
     return lo + (hi - lo) * (double) (check_bits(state) >> 11) * 0x1p-53;
 }
-
-#endif

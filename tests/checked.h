@@ -1,6 +1,5 @@
 /* checked.h -- tables given as text, checked, and what moved in them. */
-#ifndef TESTS_CHECKED_H
-#define TESTS_CHECKED_H
+#pragma once
 
 #include <string.h>
 
@@ -72,5 +71,3 @@ static inline void moves(const char *text, const char *column)
     only(&c, column);
     checked_free(&c);
 }
-
-#endif

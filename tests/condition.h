@@ -1,8 +1,7 @@
 /* condition.h -- what rounding must cost the field: 2^-53 times the condition
  * number of each component, in which a sum costs its largest term over its
  * value and an exponent its own size. */
-#ifndef TESTS_CONDITION_H
-#define TESTS_CONDITION_H
+#pragma once
 
 #include "plain.h"
 #include "setting.h"
@@ -112,5 +111,3 @@ static inline quad log_ratio(quad p, quad l, quad q, quad r)
         return HUGE_VAL;
     return logq(p / q) + (l - r);
 }
-
-#endif

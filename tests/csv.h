@@ -1,6 +1,5 @@
 /* csv.h -- reads the reference tables, by column name. */
-#ifndef TESTS_CSV_H
-#define TESTS_CSV_H
+#pragma once
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -79,5 +78,3 @@ static inline double csv_number(const struct csv *c, const char *name,
 
     return end == text || strcmp(text, "none") == 0 ? none : value;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* drawn.h -- random slopes with a saddle, and its branches in 113 bits. */
-#ifndef TESTS_DRAWN_H
-#define TESTS_DRAWN_H
+#pragma once
 
 #include <math.h>
 
@@ -163,5 +162,3 @@ static inline bool draw_solve(struct draw *d, const struct block *b)
            quad_branch_grow(&d->law, &d->at, 1, tol, &d->upper) &&
            quad_branch_grow(&d->law, &d->at, -1, tol, &d->lower);
 }
-
-#endif

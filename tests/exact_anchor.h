@@ -1,8 +1,7 @@
 /* exact_anchor.h -- a point of the steady-state curve and what closed forms of
  * the field around it are made of, in 113 bits, from the model as it is printed
  * (plain.h).  Names as in steady.h. */
-#ifndef TESTS_EXACT_ANCHOR_H
-#define TESTS_EXACT_ANCHOR_H
+#pragma once
 
 #include "plain.h"
 
@@ -61,5 +60,3 @@ static inline struct exact_anchor exact_anchor_at(const struct law *law,
         .log_composite = -k - x - y,
     };
 }
-
-#endif

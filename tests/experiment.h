@@ -1,6 +1,5 @@
 /* experiment.h -- synthetic measurements with normal noise. */
-#ifndef TESTS_EXPERIMENT_H
-#define TESTS_EXPERIMENT_H
+#pragma once
 
 #include <math.h>
 
@@ -48,5 +47,3 @@ static inline struct measured experiment_known(const struct experiment *e)
 {
     return (struct measured){ e->x, e->value, e->error, e->count };
 }
-
-#endif

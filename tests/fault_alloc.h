@@ -11,8 +11,7 @@
  *     }
  *     fault_alloc_at(FAULT_ALLOC_NEVER);
  */
-#ifndef TESTS_FAULT_ALLOC_H
-#define TESTS_FAULT_ALLOC_H
+#pragma once
 
 #define FAULT_ALLOC_NEVER (-1L)
 
@@ -21,5 +20,3 @@ void fault_alloc_at(long k);
 
 /* Allocations asked for since then, the failed one included. */
 long fault_alloc_count(void);
-
-#endif

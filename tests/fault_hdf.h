@@ -6,8 +6,7 @@
  * does nothing; those that close or free do their work and say that they
  * failed.
  */
-#ifndef TESTS_FAULT_HDF_H
-#define TESTS_FAULT_HDF_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -24,5 +23,3 @@ const char *fault_hdf_failed(void);
 
 /* Whether a function is among those that can be made to fail. */
 bool fault_hdf_knows(const char *name);
-
-#endif

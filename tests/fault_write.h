@@ -6,8 +6,7 @@
  * own code only, not those inside libraries such as stdio.  A failing close
  * closes all the same.
  */
-#ifndef TESTS_FAULT_WRITE_H
-#define TESTS_FAULT_WRITE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -21,5 +20,3 @@ const char *fault_write_failed(void);
 
 /* From now on a write takes at most so many bytes; 0: as many as it likes. */
 void fault_write_most(size_t bytes);
-
-#endif

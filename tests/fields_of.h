@@ -1,7 +1,6 @@
 /* fields_of.h -- planar systems with known orbits, for test_rescaled.c and
  * test_orbit.c. */
-#ifndef TESTS_FIELDS_OF_H
-#define TESTS_FIELDS_OF_H
+#pragma once
 
 #include <math.h>
 
@@ -121,5 +120,3 @@ static inline void hole(const double p[], struct vec2 z,
     if (z.x > 1.0)
         J->field.direction.y = J->matrix.yx = (double) NAN;
 }
-
-#endif

@@ -12,8 +12,7 @@
  * exp(log_rate) times as fast.  The result is polynomial (but for the sine),
  * curved at will, and everything about it is still exact.
  */
-#ifndef TESTS_FIXTURES_H
-#define TESTS_FIXTURES_H
+#pragma once
 
 #include <stdint.h>
 
@@ -105,5 +104,3 @@ double fixture_reach(const struct fixture *f, enum fixture_manifold kind);
  * the node X = 1, negative where they go to X = -1. */
 double fixture_implicit(const struct fixture *f, enum fixture_manifold kind,
                         struct vec2 z);
-
-#endif

@@ -1,6 +1,5 @@
 /* followed.h -- transient.h at a slope, for its tests. */
-#ifndef TESTS_FOLLOWED_H
-#define TESTS_FOLLOWED_H
+#pragma once
 
 #include "slope.h"
 #include "transient.h"
@@ -18,5 +17,3 @@ static inline struct transient follow(const struct slope *s, double v,
     CHECK(status == STATUS_OK, "%s", status_text(status));
     return t;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* formulas.h -- studies of systems of formulas: what a test says of one in a
  * line.
  */
-#ifndef TESTS_FORMULAS_H
-#define TESTS_FORMULAS_H
+#pragma once
 
 #include "check.h"
 #include "plane_branch.h"
@@ -69,5 +68,3 @@ static inline void plane_on(const struct plane_study *s,
     }
     rows_free(&r);
 }
-
-#endif

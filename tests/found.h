@@ -1,6 +1,5 @@
 /* found.h -- slopes that random ones found. */
-#ifndef TESTS_FOUND_H
-#define TESTS_FOUND_H
+#pragma once
 
 #include "slope.h"
 
@@ -36,5 +35,3 @@ static inline void found_scene(const struct found *f, const char *const more[],
     scene->tan_alpha = tanl((long double) f->alpha);
     scene->cell_rtol = f->rtol;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* found_states.h -- states that random draws found, and what was wrong. */
-#ifndef TESTS_FOUND_STATES_H
-#define TESTS_FOUND_STATES_H
+#pragma once
 
 #include "answers.h"
 #include "found.h"
@@ -363,5 +362,3 @@ static const struct {
       EXACT_BOTH,
       "friction that rises on to the face of a box, told where a step ends" },
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* jet_operations.h -- products and integrals of series (jet.h), an operation at
  * a time, of which the fixtures' fields are made. */
-#ifndef TESTS_JET_OPERATIONS_H
-#define TESTS_JET_OPERATIONS_H
+#pragma once
 
 #include "jet.h"
 
@@ -30,5 +29,3 @@ static inline jet_pair jet_chain(const struct jet_work *w, size_t k,
         return u[1] * v[k - 1] * jet_inverse[k];
     return jet_sum(k - 1, du + 1, v + k - 1) * jet_inverse[k] + u[k] * v[0];
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* law_scenes.h -- scenes of a preset: by name, and as formulas. */
-#ifndef TESTS_LAW_SCENES_H
-#define TESTS_LAW_SCENES_H
+#pragma once
 
 #include <stdlib.h>
 
@@ -58,5 +57,3 @@ static inline struct scene by_name(const struct law *law, const char *rest)
             friction_form_names[law->form], rest);
     return scene_made(text, "");
 }
-
-#endif

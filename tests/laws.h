@@ -1,6 +1,5 @@
 /* laws.h -- every legal composition of law components, random materials. */
-#ifndef TESTS_LAWS_H
-#define TESTS_LAWS_H
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -91,5 +90,3 @@ static inline bool laws_draw(size_t i, uint64_t *state, struct law *law,
     }
     return false;
 }
-
-#endif

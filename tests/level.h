@@ -1,7 +1,6 @@
 /* level.h -- planar systems whose nullclines are the level sets of simple
  * functions, moved by shears, and what every nullcline must satisfy. */
-#ifndef TESTS_LEVEL_H
-#define TESTS_LEVEL_H
+#pragma once
 
 #include <math.h>
 #include <string.h>
@@ -171,5 +170,3 @@ static inline double distance(const struct nullcline *n, const struct window *w,
         }
     return least;
 }
-
-#endif

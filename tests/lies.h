@@ -1,7 +1,6 @@
 /* lies.h -- laws, found by chance, the bars of which were too small or missing.
  */
-#ifndef TESTS_LIES_H
-#define TESTS_LIES_H
+#pragma once
 
 #include "drawn.h"
 
@@ -91,5 +90,3 @@ static const struct lie lie_small = {
     20.389151785401364,     1e-6,
     0.018756463217830078
 };
-
-#endif

@@ -1,6 +1,5 @@
 /* made_plane.h -- planar systems of two formulas in x and y, for tests. */
-#ifndef TESTS_MADE_PLANE_H
-#define TESTS_MADE_PLANE_H
+#pragma once
 
 #include <math.h>
 #include <string.h>
@@ -81,5 +80,3 @@ static inline quad plain(const char *text, quad x, quad y)
     formula_constants(&f, leaf, NULL, value);
     return value[node];
 }
-
-#endif

@@ -9,8 +9,7 @@
  * steps of Runge and Kutta.  Terms are left out and signs agree so often that
  * every inequality is nearly an equality for some draw: one that is weaker is
  * seen to be wrong. */
-#ifndef TESTS_MADE_TUBE_H
-#define TESTS_MADE_TUBE_H
+#pragma once
 
 #include "interval_math.h"
 #include "made_plane.h"
@@ -292,5 +291,3 @@ static inline void check_integral(const struct made *f, long double truth,
 
     part_of("integral", f, truth - middle, (double) (u.hi - u.lo) / 2, n);
 }
-
-#endif

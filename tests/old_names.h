@@ -1,8 +1,7 @@
 /* old_names.h -- rows of the reference tables, whose names are older than
  * those of slipway check, as tables of today (tests/reference/names.csv: now is
  * empty for what a check does not state; K is the number of the state). */
-#ifndef TESTS_OLD_NAMES_H
-#define TESTS_OLD_NAMES_H
+#pragma once
 
 #include <math.h>
 
@@ -104,5 +103,3 @@ static inline void old_write(const struct old_table *t, size_t planted,
     }
     snprintf(text, size, "%s\n%s\n", head, row);
 }
-
-#endif

@@ -2,8 +2,7 @@
  *
  *     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
  */
-#ifndef TESTS_OWN_FOLDER_H
-#define TESTS_OWN_FOLDER_H
+#pragma once
 
 #include <stddef.h>
 
@@ -21,5 +20,3 @@ int own_folder_entries(void);
 void file_write(const char *path, const void *bytes, size_t size);
 char *file_read(const char *path, size_t *size); /* owned by the caller */
 void file_holds(const char *path, const char *text);
-
-#endif

@@ -1,6 +1,5 @@
 /* place.h -- a slope with its slow curve. */
-#ifndef TESTS_PLACE_H
-#define TESTS_PLACE_H
+#pragma once
 
 #include "slope.h"
 #include "slow_curve.h"
@@ -24,5 +23,3 @@ static void place_drop(struct place *p)
     slow_curve_free(&p->c);
     slope_free(&p->s);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* plain.h -- the model as it is printed, in 113 bits and absolute
  * coordinates: no anchor, no care for cancellation.  The second opinion on
  * everything lib/friction computes. */
-#ifndef TESTS_PLAIN_H
-#define TESTS_PLAIN_H
+#pragma once
 
 #include <math.h>
 
@@ -151,5 +150,3 @@ static inline struct plain_number plain_fy(const struct law *law,
         return plain_number(d > 0 ? -1 : 1, exponent + fabsq(d) - logq(2));
     return plain_number(-sinhq(d), exponent);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* plane_shares.h -- the shares of a system's basins, held to what is known. */
-#ifndef TESTS_PLANE_SHARES_H
-#define TESTS_PLANE_SHARES_H
+#pragma once
 
 #include <math.h>
 
@@ -42,5 +41,3 @@ static inline void is_nearly(const struct plane_study *s, const char *name,
           q->error, value);
     assert_int_equal(s->basin.disagreements, 0);
 }
-
-#endif

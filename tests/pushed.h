@@ -1,6 +1,5 @@
 /* pushed.h -- push.h at a law and a slope, for its tests. */
-#ifndef TESTS_PUSHED_H
-#define TESTS_PUSHED_H
+#pragma once
 
 #include "push.h"
 #include "slope.h"
@@ -38,5 +37,3 @@ static inline struct push_answer answer(const struct pushed *p, double v,
     CHECK(s == STATUS_OK, "(%g, %g): %s", v, psi, status_text(s));
     return a;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* quad_side.h -- on which side of a saddle's stable manifold a state lies, by
  * its forward orbit in 113 bits into one of the quadrants of the saddle that
  * cannot be left. */
-#ifndef TESTS_QUAD_SIDE_H
-#define TESTS_QUAD_SIDE_H
+#pragma once
 
 #include <math.h>
 
@@ -91,5 +90,3 @@ static inline int quad_side_of_state(const struct quad_side *o, double v,
 
     return quad_side_of_offset(o, logq((quad) v) - o->at.x0, y - o->at.y0);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* random_slope.h -- slopes with a saddle, of any law, L from 1e-6 to 1e-2 m,
  * V_star from 1e-9 to 1e-6 m/s. */
-#ifndef TESTS_RANDOM_SLOPE_H
-#define TESTS_RANDOM_SLOPE_H
+#pragma once
 
 #include "slope.h"
 
@@ -88,5 +87,3 @@ static inline void random_slope(struct slope *s, uint64_t *rng,
 
     random_slope_of(s, check_bits(rng) % random_presets(), rng, set);
 }
-
-#endif

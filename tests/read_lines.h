@@ -1,7 +1,6 @@
 /* read_lines.h -- formulas written as text (lines.h), evaluated in 113 bits:
  * numbers, names, + - * / ^, functions, if(u<w)then(..)else(..). */
-#ifndef TESTS_READ_LINES_H
-#define TESTS_READ_LINES_H
+#pragma once
 
 #include <ctype.h>
 #include <string.h>
@@ -199,5 +198,3 @@ static quad line_sum(struct line_reader *r)
             value -= line_product(r);
     return value;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* reference_rows.h -- a row of the reference tables as a solved slope. */
-#ifndef TESTS_REFERENCE_ROWS_H
-#define TESTS_REFERENCE_ROWS_H
+#pragma once
 
 #include <math.h>
 
@@ -120,5 +119,3 @@ static inline void solved_free(struct solved *s)
     branch_free(&s->upper);
     branch_free(&s->lower);
 }
-
-#endif

@@ -3,8 +3,7 @@
  * lib/plot can draw but a map: the linear saddle p' = p, q' = -q, seen in
  * log10 v = p + 0.6 q and log10 psi = q - 0.4 p.
  */
-#ifndef TESTS_SAMPLE_FIGURE_H
-#define TESTS_SAMPLE_FIGURE_H
+#pragma once
 
 #include "draw.h"
 
@@ -18,5 +17,3 @@ void sample_mark(struct figure *f, enum figure_mark mark, const char *entry,
 /* figures_write of one. */
 MUST_CHECK enum status sample_draw(const struct figure *f, const char *path,
                                    bool keep_script, struct fault *fault);
-
-#endif

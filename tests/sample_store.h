@@ -2,8 +2,7 @@
  * /provenance (texts), /equilibria (two records of every kind of field),
  * /none (no records), /manifold/stable_{upper,lower} (12 columns along arc),
  * /critical and /absent (one record as scalars), /basin (two layers). */
-#ifndef TESTS_SAMPLE_STORE_H
-#define TESTS_SAMPLE_STORE_H
+#pragma once
 
 #include "record.h"
 #include "store.h"
@@ -29,5 +28,3 @@ MUST_CHECK enum status sample_write(const char *path, struct fault *fault);
 void sample_must_write(const char *path);
 
 void sample_no_handles(void);
-
-#endif

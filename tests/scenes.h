@@ -1,7 +1,6 @@
 /* scenes.h -- scenes of texts and overrides, and whether two are the same.
  * Give the test the dependency own_folder and its set-up. */
-#ifndef TESTS_SCENES_H
-#define TESTS_SCENES_H
+#pragma once
 
 #include <string.h>
 
@@ -165,5 +164,3 @@ static inline bool scene_same(const struct scene *a, const struct scene *b)
            a->proved == b->proved && same_paper(&a->paper, &b->paper) &&
            same_text(a->hdf5, b->hdf5) && same_text(a->figure, b->figure);
 }
-
-#endif

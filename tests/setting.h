@@ -1,7 +1,6 @@
 /* setting.h -- random laws, materials and anchors, in double and in 113 bits,
  * and random points around them. */
-#ifndef TESTS_SETTING_H
-#define TESTS_SETTING_H
+#pragma once
 
 #include <math.h>
 
@@ -80,5 +79,3 @@ static inline struct vec2 draw_near(double lo, double hi, uint64_t *seed)
     const double angle = check_uniform(seed, 0, 6.283185307179586);
     return (struct vec2){ r * cos(angle), r * sin(angle) };
 }
-
-#endif

@@ -6,8 +6,7 @@
  * and what becomes of a vector field, its Jacobian, a gradient and a Taylor
  * series when the plane is moved by one.
  */
-#ifndef TESTS_SHEAR_H
-#define TESTS_SHEAR_H
+#pragma once
 
 #include "jet.h"
 #include "plane.h"
@@ -46,5 +45,3 @@ const jet_pair *shear_jet_undo(const struct shear *s, struct jet_work *w,
                                size_t k, const jet_pair *z[2]);
 void shear_jet_carry(const struct shear *s, struct jet_work *w, size_t k,
                      const jet_pair *slope, const jet_pair *v[2]);
-
-#endif

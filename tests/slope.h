@@ -1,6 +1,5 @@
 /* slope.h -- the study of a law at a slope, and rows of basin.csv. */
-#ifndef TESTS_SLOPE_H
-#define TESTS_SLOPE_H
+#pragma once
 
 #include <math.h>
 #include <string.h>
@@ -111,5 +110,3 @@ static inline int each_basin_row(double nearest, const char *const more[],
     slope_free(&s);
     return rows;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* spoiled.h -- branches that are wrong on purpose. */
-#ifndef TESTS_SPOILED_H
-#define TESTS_SPOILED_H
+#pragma once
 
 #include "branch.h"
 #include "check.h"
@@ -22,5 +21,3 @@ static inline void spoil(struct branch *b, enum spoil kind, double noise,
             coef[k] *= 1 + noise * check_uniform(rng, -1, 1);
     }
 }
-
-#endif

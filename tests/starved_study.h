@@ -1,6 +1,5 @@
 /* starved_study.h -- a study of which every allocation has failed once. */
-#ifndef TESTS_STARVED_STUDY_H
-#define TESTS_STARVED_STUDY_H
+#pragma once
 
 #include "check.h"
 #include "fault_alloc.h"
@@ -23,5 +22,3 @@ static void starve_study(const struct scene *scene, long each)
         CHECK(k < 100000, "never succeeds");
     }
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* stops.h -- a monitor's ear that stops the work at its first word. */
-#ifndef TESTS_STOPS_H
-#define TESTS_STOPS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -10,5 +9,3 @@ static int stop_at_once(void *ctx, const char *stage, uint64_t done,
     (void) ctx, (void) stage, (void) done, (void) total;
     return 1;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* sweeps.h -- sweeps of small scenes, and whether two are the same. */
-#ifndef TESTS_SWEEPS_H
-#define TESTS_SWEEPS_H
+#pragma once
 
 #include <stdlib.h>
 #include <string.h>
@@ -95,5 +94,3 @@ static inline void sweeps_are_the_same(const struct sweep *a,
         layers_are_the_same(a, b, i);
     }
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* typed.h -- a graph, and formulas typed into it that must be read. */
-#ifndef TESTS_TYPED_H
-#define TESTS_TYPED_H
+#pragma once
 
 #include "check.h"
 #include "parse.h"
@@ -17,5 +16,3 @@ static int parsed(const char *text)
     CHECK(s == STATUS_OK, "%s: %s", text, why.text);
     return node;
 }
-
-#endif

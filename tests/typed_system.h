@@ -1,6 +1,5 @@
 /* typed_system.h -- systems as typed, and what is found of their equilibria. */
-#ifndef TESTS_TYPED_SYSTEM_H
-#define TESTS_TYPED_SYSTEM_H
+#pragma once
 
 #include "equilibria.h"
 
@@ -93,5 +92,3 @@ static inline void near(const struct system_number *n, double value,
               n->error < 1e-25,
           "%.20g +- %g is not %.20g", (double) n->value, n->error, value);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* wrong_ensembles.h -- what is wrong with an ensemble: as wrong_scenes.h. */
-#ifndef TESTS_WRONG_ENSEMBLES_H
-#define TESTS_WRONG_ENSEMBLES_H
+#pragma once
 
 #include "wrong_scenes.h"
 
@@ -86,5 +85,3 @@ static const struct wrong wrong_ensembles[] = {
       "3:15: material.a: X +- S beside ensemble.samples, expected one of the "
       "two" },
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* wrong_scenes.h -- scenes with one thing wrong each, and the line that says
  * what.  Of libyaml's own messages, and of bytes: test_document.c. */
-#ifndef TESTS_WRONG_SCENES_H
-#define TESTS_WRONG_SCENES_H
+#pragma once
 
 #define LAW   "law: {preset: dieterich_gen}\n"
 #define SLOPE "slope: {alpha: 0.34}\n"
@@ -415,5 +414,3 @@ static const struct wrong wrong_together[] = {
       "3:41: trajectories.sample.log_time: not beside "
       "trajectories.sample.linear_slip, expected one of the two" },
 };
-
-#endif

@@ -1,7 +1,6 @@
 /* wrong_sweeps.h -- what is wrong with a sweep, key by key and as a whole: as
  * wrong_scenes.h. */
-#ifndef TESTS_WRONG_SWEEPS_H
-#define TESTS_WRONG_SWEEPS_H
+#pragma once
 
 #include "wrong_scenes.h"
 
@@ -142,5 +141,3 @@ static const struct wrong wrong_sweeps[] = {
     { LAW SLOPE "sweep: {key: slope.alpha, " RANGE ", show: basins}\n",
       "1:1: products: no basins beside sweep.show: basins, expected them" },
 };
-
-#endif

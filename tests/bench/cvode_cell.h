@@ -1,7 +1,6 @@
 /* cvode_cell.h -- the fate of one state by CVODE's BDF to the node, as a user
  * of SUNDIALS would find it; built only where SUNDIALS was found. */
-#ifndef BENCH_CVODE_CELL_H
-#define BENCH_CVODE_CELL_H
+#pragma once
 
 #include "plain.h"
 
@@ -25,5 +24,3 @@ struct cvode_end {
  * False: CVODE gives up. */
 bool cvode_cell(struct plain *p, const double z[2], const struct cvode_end *end,
                 double tol, double slip_least, double *slip, double *time);
-
-#endif

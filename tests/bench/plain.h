@@ -3,8 +3,7 @@
  * (ln v, ln psi), saddle-centred differences, nothing overflows; x_excess as a
  * third component.  Laws dieterich_gen and spinodal_gen.
  */
-#ifndef BENCH_PLAIN_H
-#define BENCH_PLAIN_H
+#pragma once
 
 #include "block.h"
 #include "equilibrium.h"
@@ -36,5 +35,3 @@ double plain_now(void);
 
 /* Seconds of the processor: what else runs on the machine matters little. */
 double plain_worked(void);
-
-#endif

@@ -1,7 +1,6 @@
 /* Whole series of 113-bit coefficients as the numbers of field_formula.h, with
  * recurrences of their own. */
-#ifndef TESTS_SERIES_NUMBER_H
-#define TESTS_SERIES_NUMBER_H
+#pragma once
 
 #include "quad.h"
 
@@ -185,5 +184,3 @@ static quad scalar_choose(quad u, quad p, quad q, quad r)
 {
     return u < p ? q : r;
 }
-
-#endif

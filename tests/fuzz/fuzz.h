@@ -5,8 +5,7 @@
  * Each target is built twice: with libFuzzer, which invents inputs
  * (-Dfuzz=true, clang), and with replay.c, which reads those of files.
  */
-#ifndef TESTS_FUZZ_H
-#define TESTS_FUZZ_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -38,5 +37,3 @@ static inline void must_be_a_line(const struct fault *why)
         i++;
     MUST(i > 0 && i < sizeof why->text && !why->text[i] && !shown[i]);
 }
-
-#endif

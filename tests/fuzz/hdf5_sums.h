@@ -1,7 +1,6 @@
 /* hdf5_sums.h -- the checksums of an HDF5 file put right, without which no
  * change of its metadata would get past HDF5's first look. */
-#ifndef TESTS_HDF5_SUMS_H
-#define TESTS_HDF5_SUMS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -10,5 +9,3 @@
  * fractal heaps and of B-trees (HDF5 File Format Specification 3.0), wherever
  * they stand in bytes[0 .. size-1]; the rest stays. */
 void hdf5_sums_mend(uint8_t *bytes, size_t size);
-
-#endif

@@ -1,7 +1,6 @@
 /* memory_file.h -- bytes that have a path, so that what opens files by name can
  * read them. */
-#ifndef TESTS_MEMORY_FILE_H
-#define TESTS_MEMORY_FILE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -9,5 +8,3 @@
 /* The path of a new file of these bytes, always the same one; it is removed
  * when the program that asked first ends. */
 const char *memory_file(const uint8_t *data, size_t size);
-
-#endif
