@@ -360,10 +360,8 @@ static enum status find_answers(struct job *j, const struct options *o,
     if (s == STATUS_OK)
         s = push_tabulate(&j->push, monitor);
     if (s == STATUS_OK)
-        s = push_find_all(&j->push, j->state, j->count, monitor, j->answer);
-    if (s == STATUS_OK && scene->ensemble.scattered > 0)
         s = push_scatter_find(&j->push, &(struct push_source){ states_of, j },
-                              j->count, monitor, j->answer);
+                              j->state, j->count, monitor, j->answer);
     progress_end();
     if (s == STATUS_OK)
         s = drawn_run(o, scene, &j->drawn, why);

@@ -79,18 +79,6 @@ static bool states_of(void *ctx, const struct scene *scene,
     return true;
 }
 
-static enum status find(const struct push *p, struct asked a,
-                        const struct monitor *monitor,
-                        struct push_answer answer[])
-{
-    const struct push_source same = { states_of, &a };
-    const enum status s = push_find_all(p, a.at, a.count, monitor, answer);
-
-    return s || p->scene->ensemble.scattered == 0
-               ? s
-               : push_scatter_find(p, &same, a.count, monitor, answer);
-}
-
 slipway_status slipway_push_find(const slipway_push *push,
                                  const slipway_state state[], size_t count,
                                  const slipway_monitor *monitor,
@@ -99,6 +87,7 @@ slipway_status slipway_push_find(const slipway_push *push,
     struct push_state *at = malloc((count + 1) * sizeof *at);
     struct push_answer *found = malloc((count + 1) * sizeof *found);
     slipway_status s = check(&push->push, state, count, why);
+    struct asked asked = { at, count };
     struct monitor tell;
 
     if (at == NULL || found == NULL)
@@ -106,9 +95,9 @@ slipway_status slipway_push_find(const slipway_push *push,
     if (s == SLIPWAY_OK) {
         for (size_t i = 0; i < count; i++)
             at[i] = (struct push_state){ state[i].v, state[i].psi };
-        const enum status status =
-            find(&push->push, (struct asked){ at, count },
-                 api_monitor(monitor, &tell), found);
+        const enum status status = push_scatter_find(
+            &push->push, &(struct push_source){ states_of, &asked }, at, count,
+            api_monitor(monitor, &tell), found);
         s = status == STATUS_OK
                 ? SLIPWAY_OK
                 : api_fault(why, api_status(status), status_text(status));

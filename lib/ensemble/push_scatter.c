@@ -225,10 +225,9 @@ static enum status run(struct job *j, const struct monitor *monitor,
     return status;
 }
 
-enum status push_scatter_find(const struct push *p,
-                              const struct push_source *from, size_t count,
-                              const struct monitor *monitor,
-                              struct push_answer answer[])
+static enum status spread(const struct push *p, const struct push_source *from,
+                          size_t count, const struct monitor *monitor,
+                          struct push_answer answer[])
 {
     struct job j = { .p = p, .from = from, .count = count };
     bool good;
@@ -247,4 +246,17 @@ enum status push_scatter_find(const struct push *p,
     free(j.state);
     free(j.rate);
     return status;
+}
+
+enum status push_scatter_find(const struct push *p,
+                              const struct push_source *from,
+                              const struct push_state at[], size_t count,
+                              const struct monitor *monitor,
+                              struct push_answer answer[])
+{
+    const enum status s = push_find_all(p, at, count, monitor, answer);
+
+    return s || p->scene->ensemble.scattered == 0
+               ? s
+               : spread(p, from, count, monitor, answer);
 }

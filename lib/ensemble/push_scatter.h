@@ -22,11 +22,12 @@ struct push_source {
     void *ctx;
 };
 
-/* Fills `spread` of the numbers that exist in answer[count] of p, and arrest;
- * infinite and NaN where no neighbour tells.  STATUS_NO_MEMORY,
+/* push_find_all, and where inputs scatter `spread` of the numbers that exist,
+ * and arrest; infinite and NaN where no neighbour tells.  STATUS_NO_MEMORY,
  * STATUS_STOPPED. */
 MUST_CHECK enum status push_scatter_find(const struct push *p,
                                          const struct push_source *from,
+                                         const struct push_state at[],
                                          size_t count,
                                          const struct monitor *monitor,
                                          struct push_answer answer[]);
