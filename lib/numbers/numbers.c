@@ -436,14 +436,13 @@ struct critical_numbers numbers_critical(const struct block *b,
 static struct knee_number knee_number(const struct block *b,
                                       const struct knee *k)
 {
-    const double v = b->at.v0 * exp(k->z.x), psi = b->at.psi0 * exp(k->z.y);
-    const double y = b->at.y0 + k->z.y;
+    const double v = block_v(b, k->z.x), psi = block_psi(b, k->z.y);
     const double ex = k->error.x + 2.0 * DBL_EPSILON;
     const double ey = k->error.y + 2.0 * DBL_EPSILON;
 
     return (struct knee_number){
         quantity_of(v, v * expm1(ex)),
-        law_psi_is_log(&b->law) ? quantity_of(y, ey + DBL_EPSILON * fabs(y))
+        law_psi_is_log(&b->law) ? quantity_of(psi, ey + DBL_EPSILON * fabs(psi))
                                 : quantity_of(psi, psi * expm1(ey)),
     };
 }

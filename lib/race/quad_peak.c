@@ -13,7 +13,7 @@ static void find_rise(const struct quad_course *c, const quad z[2],
                       const quad du[], double rise[2])
 {
     const struct planar *p = &c->slope->study->slider.plane.system;
-    const double v = c->slope->study->slider.block.at.v0 * exp((double) z[0]);
+    const double v = block_v(&c->slope->study->slider.block, (double) z[0]);
     const struct vec2 at = { (double) z[0], (double) z[1] };
     struct vec2 g;
     double work;

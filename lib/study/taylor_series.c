@@ -223,9 +223,8 @@ static struct gap gap_at(const struct comparison *q, size_t piece, double theta)
 
     curve_at(q->c, piece, theta, at);
     curve_slope_at(q->c, piece, theta, by);
-    const double v = b->at.v0 * exp(at[0]);
-    const double psi = is_log ? 1.0 : b->at.psi0 * exp(at[1]);
-    const double off = is_log ? b->at.y0 + at[1] : psi;
+    const double v = block_v(b, at[0]), off = block_psi(b, at[1]);
+    const double psi = is_log ? 1.0 : off;
     const double sum = taylor_series_at(q->t, TAYLOR_PAPER, v, b->at.v0);
     const double across = p->error * fmax(1.0, fabs(by[1] / by[0]));
     const double own = doubt_of(q->t, (v - b->at.v0) / b->at.v0) / psi;
