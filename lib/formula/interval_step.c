@@ -354,12 +354,6 @@ static void quotient(struct interval_run *r, const struct step *s,
     }
 }
 
-static bool grows(const struct interval_run *r, int reg)
-{
-    return reg >= 2 && (r->t->t->step[reg - 2].kind == STEP_GROWTH ||
-                        r->t->t->step[reg - 2].kind == STEP_APART);
-}
-
 /* About the largest exponent of the parts; any number will do. */
 static double scale_of(const struct interval_run *r, const struct step *s)
 {
@@ -367,7 +361,7 @@ static double scale_of(const struct interval_run *r, const struct step *s)
 
     for (int i = 0; i < s->form.terms; i++) {
         const int reg = s->form.term[i].reg;
-        if (!grows(r, reg))
+        if (!tape_grows(r->t->t, reg))
             continue;
         const struct step *g = &r->t->t->step[reg - 2];
         const double u = g->kind == STEP_GROWTH
@@ -393,7 +387,7 @@ static void scaled(struct interval_run *r, const struct step *s, double scale,
     for (int i = 0; i < s->form.terms; i++) {
         const int reg = s->form.term[i].reg;
         const struct interval c = constant(r, s->form.term[i].c);
-        if (!grows(r, reg))
+        if (!tape_grows(r->t->t, reg))
             for (size_t k = 0; k <= r->n; k++)
                 part[k] = interval_times(r->reg[reg].c[k], by);
         else if (r->t->t->step[reg - 2].kind == STEP_GROWTH)

@@ -11,40 +11,7 @@ static struct interval point(double x)
     return interval_point(x);
 }
 
-/* ---- what is needed ------------------------------------------------------ */
-
-static void need_linear(const struct linear *u, bool needed[])
-{
-    for (int i = 0; i < u->terms; i++)
-        needed[u->term[i].reg] = true;
-}
-
-static void need_rate(const struct tape_rate *r, bool needed[])
-{
-    need_linear(&r->mantissa, needed);
-    for (int k = 0; k < TAPE_EXPONENTS; k++)
-        need_linear(&r->exponent[k], needed);
-    if (r->sinh >= 0)
-        needed[r->sinh] = true;
-    if (r->scaled >= 0)
-        needed[r->scaled] = true;
-}
-
-/* Those of whatever is needed; growths are made where they are needed. */
-static void need_parts(const struct tape *t, bool needed[])
-{
-    for (int i = t->steps; i-- > 0;) {
-        const struct step *s = &t->step[i];
-        if (!needed[i + 2])
-            continue;
-        if (s->a >= 0)
-            needed[s->a] = true;
-        if (s->b >= 0)
-            needed[s->b] = true;
-        if (s->kind == STEP_LINEAR || s->kind == STEP_SCALED)
-            need_linear(&s->form, needed);
-    }
-}
+/* ---- constants ----------------------------------------------------------- */
 
 /* The nearest whole number to a constant, and e^(what is left). */
 static void split(const struct interval_graph *g, int node, double *whole,
@@ -71,9 +38,9 @@ enum status interval_tape_init(struct interval_tape *out, const struct tape *t,
     for (int i = 0; i < rates; i++)
         out->rate[out->rates++] = rate[i];
     for (int i = 0; i < out->rates; i++)
-        need_rate(&t->rate[out->rate[i]], needed);
-    need_linear(&t->value[0], needed);
-    need_parts(t, needed);
+        tape_need_rate(&t->rate[out->rate[i]], needed);
+    tape_need_linear(&t->value[0], needed);
+    tape_need_parts(t, needed);
     for (int i = 0; i < t->steps; i++)
         out->used[i] = needed[i + 2];
     for (int i = 0; i < g->nodes; i++)
@@ -104,7 +71,7 @@ static int exponent_of(const struct interval_run *r, const struct tape_rate *p)
 
     for (int i = 0; i < near->terms; i++) {
         const int reg = near->term[i].reg;
-        if (reg >= 2 && r->t->t->step[reg - 2].kind == STEP_GROWTH &&
+        if (tape_takes(r->t->t, reg) &&
             interval_middle(r->reg[r->t->t->step[reg - 2].a].c[0]) > -1)
             return minus + TAPE_NEAR;
     }

@@ -53,19 +53,13 @@ static int size(struct formula *f, const struct step *s, const int reg[])
     return larger(f, reg[s->a], formula_sum(f, reg[s->b], s->q));
 }
 
-static bool grows(const struct tape *t, int reg)
-{
-    return reg >= 2 && (t->step[reg - 2].kind == STEP_GROWTH ||
-                        t->step[reg - 2].kind == STEP_APART);
-}
-
 static int scale_of(struct formula *f, const struct tape *t,
                     const struct linear *u, const int reg[])
 {
     int scale = 0;
 
     for (int i = 0; i < u->terms; i++)
-        if (grows(t, u->term[i].reg))
+        if (tape_grows(t, u->term[i].reg))
             scale =
                 larger(f, scale, size(f, &t->step[u->term[i].reg - 2], reg));
     return scale;
@@ -101,8 +95,9 @@ static int scaled(struct formula *f, const struct tape *t,
 
     for (int i = 0; i < u->terms; i++) {
         const int r = u->term[i].reg;
-        const int part = grows(t, r) ? shrunk(f, &t->step[r - 2], scale, reg)
-                                     : formula_times(f, reg[r], less);
+        const int part = tape_grows(t, r)
+                             ? shrunk(f, &t->step[r - 2], scale, reg)
+                             : formula_times(f, reg[r], less);
         sum = formula_sum(f, sum, formula_times(f, u->term[i].c, part));
     }
     return sum;

@@ -29,41 +29,6 @@ static void TAPE_KIND(linear_at)(struct TAPE_KIND(making) * m,
     }
 }
 
-/* ---- what is needed ------------------------------------------------------ */
-
-static void TAPE_KIND(need_linear)(const struct linear *u, bool needed[])
-{
-    for (int i = 0; i < u->terms; i++)
-        needed[u->term[i].reg] = true;
-}
-
-static void TAPE_KIND(need_rate)(const struct tape_rate *r, bool needed[])
-{
-    TAPE_KIND(need_linear)(&r->mantissa, needed);
-    for (int k = 0; k < TAPE_EXPONENTS; k++)
-        TAPE_KIND(need_linear)(&r->exponent[k], needed);
-    if (r->sinh >= 0)
-        needed[r->sinh] = true;
-    if (r->scaled >= 0)
-        needed[r->scaled] = true;
-}
-
-/* Users come after what they use. */
-static void TAPE_KIND(need_parts)(const struct tape *t, bool needed[])
-{
-    for (int i = t->steps; i-- > 0;) {
-        const struct step *s = &t->step[i];
-        if (!needed[i + 2])
-            continue;
-        if (s->a >= 0)
-            needed[s->a] = true;
-        if (s->b >= 0)
-            needed[s->b] = true;
-        if (s->kind == STEP_LINEAR || s->kind == STEP_SCALED)
-            TAPE_KIND(need_linear)(&s->form, needed);
-    }
-}
-
 /* ---- making -------------------------------------------------------------- */
 
 /* k (e^u - e^(w + q)) as -k e^q (e^w - e^(u - q)) where k has no digits. */
@@ -150,10 +115,8 @@ static void TAPE_KIND(rate_at)(struct TAPE_KIND(making) * m,
     out->grows = false;
     for (int k = TAPE_NEAR; k < TAPE_EXPONENTS; k++)
         for (int i = 0; i < r->exponent[k].terms; i++)
-            out->grows = out->grows ||
-                         (r->exponent[k].term[i].reg >= 2 &&
-                          m->from->step[r->exponent[k].term[i].reg - 2].kind ==
-                              STEP_GROWTH);
+            out->grows =
+                out->grows || tape_takes(m->from, r->exponent[k].term[i].reg);
     if (r->sinh >= 0)
         TAPE_KIND(mean_at)(m, r, out);
     out->sinh = r->sinh >= 0 ? m->place[r->sinh] : -1;
@@ -231,16 +194,16 @@ bool TAPE_KIND(tape_at)(const struct tape *t, const TAPE_CONSTANT constant[],
     for (int i = 0; i < TAPE_STEPS + 2; i++)
         m.place[i] = i < 2 ? i : -1;
     for (int i = 0; i < t->rates; i++) {
-        TAPE_KIND(need_rate)(&t->rate[i], needed);
-        TAPE_KIND(need_parts)(t, needed);
+        tape_need_rate(&t->rate[i], needed);
+        tape_need_parts(t, needed);
         if (i >= 1)
             TAPE_KIND(steps_at)(&m, needed);
         if (i == 1)
             out->rate_steps = out->steps;
     }
     for (int i = 0; i < TAPE_VALUES; i++)
-        TAPE_KIND(need_linear)(&t->value[i], needed);
-    TAPE_KIND(need_parts)(t, needed);
+        tape_need_linear(&t->value[i], needed);
+    tape_need_parts(t, needed);
     TAPE_KIND(steps_at)(&m, needed);
     for (int i = 0; i < t->rates; i++)
         TAPE_KIND(rate_at)(&m, &t->rate[i], &out->rate[i]);

@@ -89,12 +89,9 @@ static void join_sinh(struct lowering *L, int argument, struct tape_rate *r)
 
 static bool may_be_large(const struct tape *t, const struct linear *u)
 {
-    for (int i = 0; i < u->terms; i++) {
-        const int s = u->term[i].reg - 2;
-        if (s >= 0 &&
-            (t->step[s].kind == STEP_GROWTH || t->step[s].kind == STEP_APART))
+    for (int i = 0; i < u->terms; i++)
+        if (tape_grows(t, u->term[i].reg))
             return true;
-    }
     return false;
 }
 
@@ -225,4 +222,40 @@ enum status tape_anchor(struct formula *f, struct plane_formulas *p, int i,
     p->chart[i] =
         f->node[p->state[i]].positive ? lower_log(&L, node).constant : node;
     return answer(&L, why);
+}
+
+/* ---- which registers are needed -------------------------------------------
+ */
+
+void tape_need_linear(const struct linear *u, bool needed[])
+{
+    for (int i = 0; i < u->terms; i++)
+        needed[u->term[i].reg] = true;
+}
+
+void tape_need_rate(const struct tape_rate *r, bool needed[])
+{
+    tape_need_linear(&r->mantissa, needed);
+    for (int k = 0; k < TAPE_EXPONENTS; k++)
+        tape_need_linear(&r->exponent[k], needed);
+    if (r->sinh >= 0)
+        needed[r->sinh] = true;
+    if (r->scaled >= 0)
+        needed[r->scaled] = true;
+}
+
+/* Users come after what they use. */
+void tape_need_parts(const struct tape *t, bool needed[])
+{
+    for (int i = t->steps; i-- > 0;) {
+        const struct step *s = &t->step[i];
+        if (!needed[i + 2])
+            continue;
+        if (s->a >= 0)
+            needed[s->a] = true;
+        if (s->b >= 0)
+            needed[s->b] = true;
+        if (s->kind == STEP_LINEAR || s->kind == STEP_SCALED)
+            tape_need_linear(&s->form, needed);
+    }
 }

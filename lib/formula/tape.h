@@ -108,3 +108,23 @@ MUST_CHECK enum status tape_lower(struct tape *t, struct formula *f,
 /* Puts the anchor of state i at a constant: its logarithm, or itself. */
 MUST_CHECK enum status tape_anchor(struct formula *f, struct plane_formulas *p,
                                    int i, int node, struct fault *why);
+
+/* Whether the register is a growth or an apart; whether it is a growth that
+ * takes a value at the anchor away. */
+static inline bool tape_grows(const struct tape *t, int reg)
+{
+    return reg >= 2 && (t->step[reg - 2].kind == STEP_GROWTH ||
+                        t->step[reg - 2].kind == STEP_APART);
+}
+
+static inline bool tape_takes(const struct tape *t, int reg)
+{
+    return reg >= 2 && t->step[reg - 2].kind == STEP_GROWTH &&
+           t->step[reg - 2].k != 0;
+}
+
+/* Marks the registers that a form or a rate reads, and then all that those
+ * which are marked are made of; needed[TAPE_STEPS + 2]. */
+void tape_need_linear(const struct linear *u, bool needed[]);
+void tape_need_rate(const struct tape_rate *r, bool needed[]);
+void tape_need_parts(const struct tape *t, bool needed[]);
