@@ -81,6 +81,14 @@ static inline bool TAPE_KIND(tape_grows)(const struct TAPE_KIND(tape) * t,
                         t->step[reg - 2].kind == STEP_APART);
 }
 
+/* Whether it is a growth that takes a value at the anchor away. */
+static inline bool TAPE_KIND(tape_takes)(const struct TAPE_KIND(tape) * t,
+                                         int reg)
+{
+    return reg >= 2 && t->step[reg - 2].kind == STEP_GROWTH &&
+           t->step[reg - 2].k > 0;
+}
+
 /* What a growth is the logarithm of: ln of k e^u. */
 static inline TAPE_SCALAR TAPE_KIND(tape_grown)(const struct TAPE_KIND(tape) *
                                                     t,
@@ -127,8 +135,8 @@ static inline int TAPE_KIND(tape_which)(const struct TAPE_KIND(tape) * t, int i,
     const struct TAPE_KIND(tape_form) *u = &p->exponent[less + TAPE_NEAR];
 
     for (int j = u->first; p->grows && j < u->first + u->terms; j++) {
-        const int g = t->term[j].reg - 2;
-        if (g >= 0 && t->step[g].kind == STEP_GROWTH && r[t->step[g].a] > -1)
+        const int reg = t->term[j].reg;
+        if (TAPE_KIND(tape_takes)(t, reg) && r[t->step[reg - 2].a] > -1)
             return less + TAPE_NEAR;
     }
     return less;

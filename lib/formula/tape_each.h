@@ -410,7 +410,8 @@ static inline jet_mask each_near(const struct each *e,
     for (int j = u->first; r->grows && j < u->first + u->terms; j++) {
         const int g = t->term[j].reg - 2;
         if (g >= 0 && t->step[g].kind == STEP_GROWTH)
-            near |= e->reg[t->step[g].a] > -1.0;
+            near |= (e->reg[t->step[g].a] > -1.0) &
+                    (each_number(e, &t->step[g].k) > 0.0);
     }
     return near;
 }

@@ -198,7 +198,7 @@ static inline lanes tape_lanes_scaled(const struct tape_lanes *v, int i, int p)
             continue;
         }
         lanes k = LANES_OF(t->step[r - 2].k);
-        if (t->step[r - 2].kind == STEP_GROWTH && t->step[r - 2].k > 0)
+        if (real_tape_takes(t, r))
             k = lanes_less(LANES_OF(0.0), s, lanes_exp(t->step[r - 2].q - s),
                            k);
         sum += t->term[j].c * tape_lanes_grown(v, r - 2, p, s, k);
@@ -286,9 +286,9 @@ static inline lanes tape_lanes_near(const struct tape_lanes *v,
     lanes near = LANES_OF(0.0);
 
     for (int j = u->first; j < u->first + u->terms; j++) {
-        const int g = t->term[j].reg - 2;
-        if (g >= 0 && t->step[g].kind == STEP_GROWTH)
-            near = lanes_less(LANES_OF(-1.0), v->reg[t->step[g].a][p],
+        const int reg = t->term[j].reg;
+        if (real_tape_takes(t, reg))
+            near = lanes_less(LANES_OF(-1.0), v->reg[t->step[reg - 2].a][p],
                               LANES_OF(1.0), near);
     }
     return near;

@@ -454,6 +454,26 @@ static void enclosures_hold_rates_and_series_at_every_point(void **state)
     }
 }
 
+/* Of 1e6 e^x six digits are left at x = -12, if 1e6 is not taken from it and
+ * added again since e^(e^x - 2 e^y), which has no value at the anchor, is not
+ * small. */
+static void exponents_forget_the_anchor_beside_growths_that_have_none(
+    void **state)
+{
+    const char *const rate[2] = { "exp(1e6*exp(x) + exp(exp(x) - 2*exp(y)))",
+                                  "-y" };
+    const struct vec2 z = { -12.0, -3.0 };
+    struct planar_field f;
+
+    (void) state;
+    make(rate, (bool[2]){ false, false }, NULL, false, (quad[2]){ 0, 0 });
+    tape_field(&plane, z, &f);
+    const quad found = (quad) f.direction.x * expq(f.log_scale),
+               true_rate = plain(rate[0], z.x, z.y);
+    CHECK(fabsq(found / true_rate - 1) < 1e-14, "%.17g is off by %.3g",
+          (double) true_rate, (double) (found / true_rate - 1));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -464,6 +484,8 @@ int main(void)
         cmocka_unit_test(a_series_adds_up_to_the_field_along_the_curve),
         cmocka_unit_test(series_are_the_same_bits_on_registers_of_any_width),
         cmocka_unit_test(enclosures_hold_rates_and_series_at_every_point),
+        cmocka_unit_test(
+            exponents_forget_the_anchor_beside_growths_that_have_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
