@@ -22,9 +22,8 @@
 /* dpsi/dt is linear where its second difference is below this part of it: 2^-52
  * times a condition of 1e5. */
 #define TOL_LINEAR 1e-10
-/* A rate without its exponential is of some sign above this: 2^-52 times some
- * thousand roundings. */
-#define TOL_SIGN 1e-12
+/* A rate without its exponential is of some sign above TOL_TOUCH, as near to 0
+ * as some thousand roundings come. */
 
 /* p = -dh/d ln psi of an integral of e^h dpsi, by the last three doublings p,
  * q, r.  It has settled where |p - q| <= TOL_LITTLE max(1, |p|) and this

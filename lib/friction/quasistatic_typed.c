@@ -171,7 +171,7 @@ bool quasistatic_typed_traps(const struct block *b)
             const double force = real_tape_mantissa(r.t, 0, r.reg);
             run_at(b, side * h, 0.0, &r);
             const double rate = real_tape_mantissa(r.t, 1, r.reg);
-            if (force * side > TOL_SIGN || rate * side > TOL_SIGN)
+            if (force * side > TOL_TOUCH || rate * side > TOL_TOUCH)
                 return false;
         }
     return true;
