@@ -1,6 +1,7 @@
 #include "crest.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "motion_tolerance.h"
 
@@ -40,24 +41,34 @@ double crest_between(double (*value)(const void *ctx, double t),
     return between(value, ctx, lo, hi, width, &at);
 }
 
+/* Whether a function goes uphill to its end: the parabola by what it is there
+ * and one and two strides before rises at the end by more than it bends on half
+ * a stride.  (What it gains on a step that is far shorter is rounding.) */
+static bool is_uphill(double end, double before, double further)
+{
+    return 3.0 * end - 4.0 * before + further >
+           fabs(end - 2.0 * before + further);
+}
+
 double crest_of(double (*value)(const void *ctx, double t), const void *ctx,
                 double *at)
 {
-    const double stride = 1.0 / TOL_EVENT_SAMPLES;
-    double best = value(ctx, 0.0), where = 0.0, nearer;
+    enum { LAST = TOL_EVENT_SAMPLES };
+    const double stride = 1.0 / LAST;
+    double v[LAST + 1], nearer;
+    int best = 0;
 
-    for (int i = 1; i <= TOL_EVENT_SAMPLES; i++) {
-        const double here = value(ctx, i * stride);
-        where = here > best ? i * stride : where;
-        best = fmax(best, here);
+    for (int i = 0; i <= LAST; i++) {
+        v[i] = value(ctx, i * stride);
+        best = v[i] > v[best] ? i : best;
     }
-    /* an end that is approached uphill is the only maximum beside it */
-    const double inside = fmin(fmax(where, TOL_ROOT), 1.0 - TOL_ROOT);
-    double top = value(ctx, inside);
-    if (inside == where || !(top < best))
+    const double where = best * stride;
+    double top = v[best];
+    if (!(best == 0 && is_uphill(v[0], v[1], v[2])) &&
+        !(best == LAST && is_uphill(v[LAST], v[LAST - 1], v[LAST - 2])))
         top = between(value, ctx, fmax(where - stride, 0.0),
                       fmin(where + stride, 1.0), TOL_ROOT, &nearer);
     if (at)
-        *at = top > best ? nearer : where;
-    return fmax(best, top);
+        *at = top > v[best] ? nearer : where;
+    return fmax(v[best], top);
 }

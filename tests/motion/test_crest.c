@@ -1,6 +1,7 @@
 /* The largest value of a function. */
 #include "crest.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "check.h"
@@ -40,6 +41,23 @@ static void an_end_that_is_approached_uphill_takes_few_looks(void **state)
     CHECK(looks <= 10, "%d", looks);
 }
 
+/* Whose last digit is wrong but at the end. */
+static double rounded(const void *ctx, double t)
+{
+    const double at = *(const double *) ctx;
+    return 1.0 - 1e-8 * (t - at) * (t - at) - (t < 1.0 ? 2.0 * DBL_EPSILON : 0);
+}
+
+static void a_maximum_beside_an_end_is_not_the_end_for_rounding(void **state)
+{
+    (void) state;
+    for (double at = 0.96; at < 1.0; at += 0.007) {
+        const double found = crest_of(rounded, &at, NULL);
+        CHECK(1.0 - found < 4.0 * DBL_EPSILON, "at %g: 1 - %g", at,
+              1.0 - found);
+    }
+}
+
 static double two_hills(const void *ctx, double t)
 {
     (void) ctx;
@@ -60,6 +78,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_maximum_anywhere_is_found),
         cmocka_unit_test(an_end_that_is_approached_uphill_takes_few_looks),
+        cmocka_unit_test(a_maximum_beside_an_end_is_not_the_end_for_rounding),
         cmocka_unit_test(of_two_the_higher_is_found),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
