@@ -15,7 +15,7 @@
 
 #include "system.h"
 
-enum { SYSTEM_EQUILIBRIA = 200, SYSTEM_UNDECIDED = 100 };
+enum { SYSTEM_EQUILIBRIA = 500, SYSTEM_UNDECIDED = 100 };
 
 /* By the real parts of the eigenvalues and whether they are real; nonhyperbolic
  * where the bar of a real part holds 0. */

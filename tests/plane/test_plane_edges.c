@@ -2,6 +2,7 @@
  * that divides. */
 #include <time.h>
 
+#include "plane_numbers.h"
 #include "plane_orbit.h"
 #include "plane_shares.h"
 
@@ -327,6 +328,24 @@ static void closed_orbits_of_a_well_attract_nothing(void **state)
     }
 }
 
+/* 13 by 19 equilibria, 54 of which attract. */
+static void all_equilibria_of_a_wide_window_are_listed(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = sin(x); y' = -sin(y)",
+              "window={x: [-20.5, 20.5], y: [-30.5, 30.5]}\n"
+              "products=[basins]\nbasins.audit=200\n");
+    assert_true(s.complete);
+    assert_int_equal(s.listed, 13 * 19);
+    assert_int_equal(s.basin.disagreements, 0);
+    CHECK(share_of(&s, "undecided")->fraction.value < 0.03, "%g undecided",
+          share_of(&s, "undecided")->fraction.value);
+    plane_end(&s, &c);
+}
+
 /* When it was told last, the longest between, in seconds of the processor, and
  * when it stops. */
 struct told {
@@ -396,6 +415,9 @@ static void what_is_undecided_has_its_reasons(void **state)
         CHECK(s.basin.unknown[PLANE_UNKNOWN_CELLS] == (i > 0), "%s", at[i].ode);
         for (int k = 0; k < PLANE_UNKNOWNS; k++)
             CHECK(plane_unknown_texts[k] != NULL, "%d", k);
+        /* an audit that disagrees widens the bars of all shares */
+        s.basin.share[s.basin.labels].fraction.error = 1.0;
+        assert_true(plane_numbers_lack(&s));
         plane_end(&s, &c);
     }
 }
@@ -476,6 +498,7 @@ int main(void)
         TEST(outside_the_window_nothing_passes_an_equilibrium),
         TEST(closed_orbits_of_a_well_attract_nothing),
         TEST(a_line_of_equilibria_is_not_searched_by_every_orbit),
+        TEST(all_equilibria_of_a_wide_window_are_listed),
         TEST(what_is_undecided_has_its_reasons),
         TEST(rotations_that_attract_go_to_infinity),
         TEST(a_row_through_the_ends_of_two_branches_has_no_label),
