@@ -33,7 +33,6 @@ static void set_leaves(struct interval_graph *g,
     mpfi_init2(x, BITS);
     for (; leaf->name; leaf++) {
         interval_graph_decimal(x, leaf->value);
-        mpfi_blow(x, x, leaves_known);
         interval_graph_set(g, leaf->name, x);
     }
     mpfi_clear(x);
