@@ -361,4 +361,12 @@ static const struct {
       { 4.4681950273534001, -4.4817797773436352 },
       EXACT_BOTH,
       "friction that rises on to the face of a box, told where a step ends" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL_UNIT, TIMESCALE_SLIP45,
+        KINETICS_LINEAR, 0.47360010845111389, 0.007305133615279554,
+        0.0065792880044544567, 4.0606004202423174, 1497.9235094618641,
+        2.4437297799149015e-05, 5.2955655439437495e-06, 0.5, 1e-7 },
+      0.546134982666574508425L,
+      { 6.7354955591647343, -19.859865803067557 },
+      EXACT_BOTH,
+      "friction that rises to the curve by less than a step ahead shows" },
 };

@@ -162,7 +162,7 @@ void layer_peaks_step(struct landing *l, double h, double across,
 
 /* ---- to come ------------------------------------------------------------- */
 
-/* Whether friction rises from here on. */
+/* Whether friction rises from here on, or by less than is seen. */
 static bool mu_rises(const struct landing *l)
 {
     const struct block *b = &l->curve->slider->block;
@@ -170,7 +170,7 @@ static bool mu_rises(const struct landing *l)
     const struct vec2 ahead = { z.x + TOL_ASIDE * dz.x,
                                 z.y + TOL_ASIDE * dz.y };
 
-    return block_mu(b, ahead) > block_mu(b, z);
+    return block_mu(b, ahead) >= block_mu(b, z);
 }
 
 /* The largest friction to come, which is the curve's but for *aside.  What sets
