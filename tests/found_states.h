@@ -369,4 +369,12 @@ static const struct {
       { 6.7354955591647343, -19.859865803067557 },
       EXACT_BOTH,
       "friction that rises to the curve by less than a step ahead shows" },
+    { { FRICTION_LOG, THETA_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP45,
+        KINETICS_LINEAR, 0.83498376420788367, 0.0011348887883069741,
+        0.00090309846170840043, 0.0, 0.27487709612660194,
+        3.1098708268805414e-07, 1.0024687175385523e-06, 0.69658999, 1e-7 },
+      0.836476896208008504502L,
+      { 2.0716655936613608, -0.93738030099608771 },
+      EXACT_BOTH,
+      "time on a fibre that turns within a fold by more than it leans" },
 };

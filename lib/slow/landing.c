@@ -281,11 +281,15 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double det = fabs(e.x - e.y * p->x_slope);
     const double part =
         TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
-    /* Where fibres turn, that of y may not be the one that led to y. */
+    /* Where fibres turn, that of y may not be the one that led to y; what falls
+     * along e has J e = lambda e + e', the table J's eigenvector, e'/lambda
+     * off.
+     */
     const double beside =
         fabs(e.x * (l->u[LAYER_Y] - y) - e.y * (l->u[LAYER_X] - p->x));
     const double bend =
-        (fabs(off) * fmax((fabs(e.x * e.y) + p->turns) * part, turning(l, p)) +
+        (fabs(off) * fmax((fabs(e.x * e.y) + p->turns) * part + p->swing,
+                          turning(l, p)) +
          beside) /
         det;
     const double wrong = bend + l->across / det;
