@@ -271,6 +271,21 @@ static struct landing_slope across_fibre(const struct landing *l,
                                    p->slip_slope * on + off_slope * off };
 }
 
+/* How far beside its fibre it may be: `part` of what that leans and turns;
+ * what it turns within a fold, for what falls along e has J e = lambda e + e',
+ * the table J's eigenvector, e'/lambda off; and, where fibres turn, that of y
+ * may not be the one that led to y. */
+static double bend_of(const struct landing *l, double y,
+                      const struct slow_point *p, double off, double part)
+{
+    const struct vec2 e = p->fibre;
+    const double leans = fabs(e.x * e.y) + p->turns;
+    const double beside =
+        fabs(e.x * (l->u[LAYER_Y] - y) - e.y * (l->u[LAYER_X] - p->x));
+
+    return fabs(off) * fmax(leans * part + p->swing, turning(l, p)) + beside;
+}
+
 /* What the table says of the point y, `off` away along its fibre, added to what
  * was before.  False: nearer to the curve it would be good enough. */
 static bool land(struct landing *l, double y, const struct slow_point *p,
@@ -281,17 +296,7 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const double det = fabs(e.x - e.y * p->x_slope);
     const double part =
         TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
-    /* Where fibres turn, that of y may not be the one that led to y; what falls
-     * along e has J e = lambda e + e', the table J's eigenvector, e'/lambda
-     * off.
-     */
-    const double beside =
-        fabs(e.x * (l->u[LAYER_Y] - y) - e.y * (l->u[LAYER_X] - p->x));
-    const double bend =
-        (fabs(off) * fmax((fabs(e.x * e.y) + p->turns) * part + p->swing,
-                          turning(l, p)) +
-         beside) /
-        det;
+    const double bend = bend_of(l, y, p, off, part) / det;
     const double wrong = bend + l->across / det;
     const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
     const double more = v / p->fast * d * (1.0 + 0.25 * d);

@@ -1,6 +1,7 @@
 /* Shares that curves and ends outside the window decide: by symmetry, as areas,
  * and as the same states have it in a larger window. */
 #include "plane_answer.h"
+#include "plane_orbit.h"
 #include "plane_shares.h"
 
 #define WINDOW(x, y)                                                           \
@@ -180,6 +181,39 @@ static void a_line_that_rests_goes_on_beyond_the_window(void **state)
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
+/* Josephson's junction: what winds on to the cycle of an angle goes to infinity
+ * on a real axis; a pendulum with little friction, which rotates for long, and
+ * one with none do not. */
+static void rotations_that_attract_go_to_infinity(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+    struct plane_goal goal;
+
+    (void) state;
+    plane_run(&s, &c, "x' = y; y' = 1.3 - sin(x) - 1.1*y",
+              WINDOW("[-2, 2]", "[-2, 2]"));
+    has_share(&s, "x_to_infinity", 1.0, 1e-12);
+    plane_end(&s, &c);
+    plane_run(&s, &c, "x' = -y; y' = 0.8 - sin(-x) - 0.7*y",
+              "window={x: [-3.1, 3.1], y: [-2, 3]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    assert_int_equal(s.basin.disagreements, 0);
+    CHECK(s.basin.elsewhere.undecided.value < 0.01, "%g undecided",
+          s.basin.elsewhere.undecided.value);
+    plane_end(&s, &c);
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c,
+                  i ? "x' = y; y' = -sin(x)" : "x' = y; y' = -sin(x) - 0.01*y",
+                  "window={x: [-3, 3], y: [-3, 3]}\nproducts=[equilibria]\n");
+        assert_int_equal(
+            plane_orbit(&s, (struct vec2){ 0.0, 2.9 }, false, NULL, &goal),
+            STATUS_OK);
+        CHECK(goal.kind != PLANE_GOAL_BEYOND || goal.beyond.rests, "%d", i);
+        plane_end(&s, &c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -190,6 +224,7 @@ int main(void)
         TEST(a_saddle_in_the_corner_has_manifolds),
         TEST(what_comes_back_from_afar_is_not_told_infinity),
         TEST(a_line_that_rests_goes_on_beyond_the_window),
+        TEST(rotations_that_attract_go_to_infinity),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
