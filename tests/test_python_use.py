@@ -65,6 +65,7 @@ def cycle(k):
     if k % 10 == 0:
         s.manifold['stable_upper'].v[0]
         s.batch('v_plus', alpha=[0.33, 0.34])
+        slipway.Study('spinodal_gen', 0.34).v_plus  # its constants need enclosures
     if k % 100 == 0:
         s.push([1, 10], 1), s.basin((4, 4)), s.sweep(alpha=[0.33, 0.34])
         slipway.System(WELLS, window=WINDOW, d=0.1).manifolds
