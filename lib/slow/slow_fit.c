@@ -240,9 +240,9 @@ static void widen(double *from, double *to, double error)
 }
 
 /* What friction is off because knots are: `beside` at their y, or at their x
- * where the curve is steep and may end at a face of x, and as much as their
- * orbit is at the least, whose steps miss more of what the curve is off a
- * steady state than they tell. */
+ * where the curve is steep and may end at a face of x; and some digits at the
+ * least, for between two knots a polynomial is off as an odd function, which
+ * the one over both steps does not show at the knot in its middle. */
 static void add_places(const struct slider *s, struct slow_branch *b)
 {
     const struct vec2 m = s->block.steep;
