@@ -20,8 +20,9 @@ void formula_constants(const struct formula *f,
 
 /* ---- enclosed ------------------------------------------------------------ */
 
-/* Leaves may be roots, which are known to some 100 bits; a constant is known
- * where it has those of a long double. */
+/* Leaves are taken as they are told; they may be roots, known to some 100 bits,
+ * which a sum that vanishes allows for.  A constant is known where it has the
+ * bits of a long double. */
 enum { BITS = 320 };
 static const double leaves_known = 0x1p-90, known = 0x1p-66;
 
