@@ -59,11 +59,18 @@ static void widen(struct box *b, struct vec2 z)
     b->hi = (struct vec2){ fmax(b->hi.x, z.x), fmax(b->hi.y, z.y) };
 }
 
-/* The same of a round from an absolute point, and the box around the middles
- * and the ends of its pieces; false where series are held back. */
-static bool divergence_round(const struct plane_study *s,
-                             const struct winding *w, struct vec2 z,
-                             bool stable, double sum[2], struct box *around)
+/* The same of a round from an absolute point; the box around the middles and
+ * the ends of its pieces; how far it leads, a multiple of the period of an
+ * angle. */
+struct round {
+    double sum[2];
+    struct box around;
+    struct vec2 way;
+};
+
+/* False where series are held back. */
+static bool go_round(const struct plane_study *s, const struct winding *w,
+                     struct vec2 z, bool stable, struct round *r)
 {
     const struct planar *sys = &s->system[!stable];
     struct taylor_orbit o = taylor_orbit_at(
@@ -73,8 +80,7 @@ static bool divergence_round(const struct plane_study *s,
     size_t turns = 0, before;
     bool follows = true;
 
-    sum[0] = sum[1] = 0.0;
-    *around = (struct box){ z, z };
+    *r = (struct round){ .around = { z, z } };
     while (turns < w->turns && follows) {
         follows = o.curve.count < TOL_EXPLICIT_STEPS &&
                   taylor_orbit_step(&o) == STATUS_OK;
@@ -83,7 +89,8 @@ static bool divergence_round(const struct plane_study *s,
         const size_t piece = o.curve.count - 1;
         for (int k = 1; k <= 2; k++) {
             curve_at(&o.curve, piece, 0.5 * k, at);
-            widen(around, vec2_add(sys->origin, (struct vec2){ at[0], at[1] }));
+            widen(&r->around,
+                  vec2_add(sys->origin, (struct vec2){ at[0], at[1] }));
         }
         before = round.count;
         (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);
@@ -91,8 +98,10 @@ static bool divergence_round(const struct plane_study *s,
         if (turns == w->turns)
             (void) arrival_nearest(&s->scale, &o.curve, piece, sys->origin, z,
                                    HUGE_VAL, &theta);
-        plane_cycle_divergence(sys, &o.curve, piece, theta, sum);
+        curve_at(&o.curve, piece, theta, at);
+        plane_cycle_divergence(sys, &o.curve, piece, theta, r->sum);
     }
+    r->way = vec2_sub(vec2_add(sys->origin, (struct vec2){ at[0], at[1] }), z);
     taylor_orbit_free(&o);
     return follows;
 }
@@ -118,18 +127,35 @@ static struct vec2 limit_of(const struct plane_study *s,
  * where that is of a spiral into an equilibrium.  True where series are held
  * back: what is so stiff attracts. */
 static bool attracts(const struct plane_study *s, const struct winding *w,
-                     bool stable, struct box *around)
+                     bool stable, struct round *on)
 {
-    double beside[2], on[2];
+    struct round beside;
+    const bool follows = go_round(s, w, w->at[0], stable, &beside);
+    const double *sum = beside.sum;
 
-    if (!divergence_round(s, w, w->at[0], stable, beside, around))
+    *on = beside;
+    if (!follows)
         return true;
-    if (!(beside[0] < -TOL_SAME * beside[1] &&
-          w->round > 10.0 * fmax(w->gap, w->off) / -expm1(beside[0])))
+    if (!(sum[0] < -TOL_SAME * sum[1] &&
+          w->round > 10.0 * fmax(w->gap, w->off) / -expm1(sum[0])))
         return false;
-    return !divergence_round(s, w, limit_of(s, w, beside[0]), stable, on,
-                             around) ||
-           (on[0] < -TOL_SAME * on[1] && on[0] < 0.75 * beside[0]);
+    return !go_round(s, w, limit_of(s, w, sum[0]), stable, on) ||
+           (on->sum[0] < -TOL_SAME * on->sum[1] && on->sum[0] < 0.75 * sum[0]);
+}
+
+/* Whether signs show that there is no such closed orbit: one that goes round an
+ * angle has no inside. */
+static enum status is_forbidden(const struct plane_study *s,
+                                const struct round *r, bool *none)
+{
+    const struct vec2 period = s->scale.period;
+
+    *none = false;
+    if (2.0 * fabs(r->way.x) > period.x && period.x > 0.0)
+        return STATUS_OK;
+    if (2.0 * fabs(r->way.y) > period.y && period.y > 0.0)
+        return STATUS_OK;
+    return plane_turn_forbids(s, r->around, none);
 }
 
 /* ---- the list ------------------------------------------------------------ */
@@ -137,13 +163,13 @@ static bool attracts(const struct plane_study *s, const struct winding *w,
 enum status plane_cycle_add(struct plane_study *s, const struct winding *w,
                             bool stable, size_t *index)
 {
-    struct box around;
+    struct round on;
     bool none;
 
     *index = plane_cycle_find(s, w, stable);
-    if (*index < s->cycles || !attracts(s, w, stable, &around))
+    if (*index < s->cycles || !attracts(s, w, stable, &on))
         return STATUS_OK;
-    const enum status status = plane_turn_forbids(s, around, &none);
+    const enum status status = is_forbidden(s, &on, &none);
     if (status != STATUS_OK || none)
         return status;
     struct plane_cycle *more =

@@ -113,6 +113,37 @@ static void cycles_that_attract_at_once_are_seen(void **state)
     plane_end(&s, &c);
 }
 
+/* A pendulum that is driven round: its divergence is -c everywhere, which
+ * forbids closed orbits with an inside, not one around the cylinder.  Beyond
+ * g = 1 that has all. */
+static void a_driven_pendulum_rotates(void **state)
+{
+    static const char *const of[][2] = { { "0.3", "1.5" }, { "3", "1.5" } };
+    struct plane_study s;
+    struct scene c;
+    char ode[80];
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        snprintf(ode, sizeof ode, "x' = y; y' = %s - sin(x) - %s*y", of[i][1],
+                 of[i][0]);
+        plane_run(&s, &c, ode,
+                  "system.state.x=angle\nwindow={y: [-3, 3]}\n"
+                  "products=[basins]\nbasins.audit=50\n");
+        has_share(&s, "cycle_0", 1.0, 1e-12);
+        plane_end(&s, &c);
+    }
+    plane_run(&s, &c, "x' = y; y' = 0.6 - sin(x) - 0.3*y",
+              "system.state.x=angle\nwindow={y: [-3, 3]}\n"
+              "products=[manifolds, basins]\nbasins.audit=200\n");
+    assert_int_equal(s.cycles, 1);
+    assert_int_equal(s.branch[2].end, PLANE_END_CYCLE);
+    assert_int_equal(s.branch[3].end, PLANE_END_EQUILIBRIUM);
+    CHECK(s.basin.elsewhere.undecided.value < 1e-12, "%g undecided",
+          s.basin.elsewhere.undecided.value);
+    plane_end(&s, &c);
+}
+
 /* Morris and Lecar's cell: a weak focus within a cycle that repels, within one
  * that attracts, beside a node. */
 static void a_weak_focus_has_its_share(void **state)
@@ -334,6 +365,7 @@ int main(void)
         TEST(a_cycle_that_attracts_has_all_of_van_der_pol),
         TEST(a_cycle_that_repels_is_a_boundary),
         TEST(cycles_that_attract_at_once_are_seen),
+        TEST(a_driven_pendulum_rotates),
         TEST(a_weak_focus_has_its_share),
         TEST(orbits_that_all_close_are_no_attractors),
         TEST(what_rests_outside_is_said_to),
