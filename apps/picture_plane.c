@@ -9,7 +9,7 @@
 #include "line.h"
 #include "margin.h"
 #include "mark.h"
-#include "plane_basin.h"
+#include "plane_map.h"
 #include "plane_margin.h"
 
 struct picture {
@@ -128,7 +128,7 @@ static void add_basins(const struct picture *p)
         return;
     int8_t *label = malloc((size_t) COLUMNS * ROWS);
     p->figure->status =
-        label ? plane_basin_fill(p->s, COLUMNS, ROWS, 0, ROWS, label)
+        label ? plane_map_fill(p->s, COLUMNS, ROWS, 0, ROWS, label)
               : STATUS_NO_MEMORY;
     for (size_t i = 0; i < b->shares && count < FIGURE_SHADES_MAX; i++)
         if (b->share[i].fraction.value > 0.0) {

@@ -8,6 +8,7 @@
 #include "polyline.h"
 #include "spread.h"
 #include "tolerance.h"
+#include "winding.h"
 #include "window.h"
 
 /* ---- streamline ---------------------------------------------------------- */
@@ -144,17 +145,17 @@ struct trajectory_options trajectory_defaults(const struct planar *system,
 static enum status run_orbit(struct orbit *o, const struct planar *system,
                              const struct arrival_scale *closes)
 {
-    struct winding w = { .noise = o->options.rtol };
+    struct windings w = windings_begin(o->options.rtol);
     enum status s = STATUS_OK;
 
     if (closes == NULL)
         return orbit_run(o, NULL);
     while (s == STATUS_OK && o->end == ORBIT_RUNNING &&
-           !winding_is_closed(&w, closes)) {
+           windings_closed(&w, closes) == NULL) {
         s = orbit_step(o);
         if (s == STATUS_OK)
-            (void) winding_add(&w, system, closes, &o->curve,
-                               o->curve.count - 1, NULL, 0);
+            (void) windings_add(&w, system, closes, &o->curve,
+                                o->curve.count - 1, NULL, 0);
     }
     return s;
 }

@@ -5,7 +5,6 @@
 
 #include "formulas.h"
 #include "own_folder.h"
-#include "plane_basin.h"
 
 static inline const struct plane_share *share_of(const struct plane_study *s,
                                                  const char *name)

@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-#include "plane_basin.h"
 #include "plane_label.h"
+#include "plane_map.h"
 #include "plane_margin.h"
 #include "plane_orbit.h"
 
@@ -21,9 +21,9 @@ enum status plane_answer_at(const struct plane_study *s, const double state[2],
         z[i] = scene_axis_is_log(s->scene, i) ? log(state[i]) : state[i];
     const struct vec2 at = { z[0], z[1] };
     const bool inside = box_holds(s->window.box, at);
-    status = inside ? plane_basin_at(s, at, false, &label) : STATUS_OK;
+    status = inside ? plane_map_at(s, at, false, &label) : STATUS_OK;
     if (status == STATUS_OK && label < 0 &&
-        !(inside && plane_basin_is_near(s, at))) {
+        !(inside && plane_map_is_near(s, at))) {
         status = plane_orbit(s, at, false, &guide, &goal);
         label = plane_goal_label(s, &goal);
     }

@@ -1,7 +1,7 @@
 /* What a plane study says of its basins. */
 #include <stdlib.h>
 
-#include "plane_basin.h"
+#include "plane_map.h"
 #include "plane_margin.h"
 #include "plane_results.h"
 #include "plane_table.h"
@@ -66,7 +66,7 @@ static enum status view_cells(const void *run, size_t axis,
     if (at == NULL)
         return STATUS_NO_MEMORY;
     for (size_t i = 0; i < n; i++)
-        at[i] = plane_basin_cell(s, (int) axis, i, n, false);
+        at[i] = plane_map_cell(s, (int) axis, i, n, false);
     out->owned = at;
     return result_lend(out, at, n);
 }
@@ -90,8 +90,8 @@ static enum status label_rows(const void *run, size_t first, size_t count,
     const struct plane_study *s = run;
 
     (void) monitor;
-    return plane_basin_fill(s, s->scene->cells[0], s->scene->cells[1], first,
-                            count, records);
+    return plane_map_fill(s, s->scene->cells[0], s->scene->cells[1], first,
+                          count, records);
 }
 
 static enum status margin_rows(const void *run, size_t first, size_t count,

@@ -30,14 +30,15 @@ enum status plane_border_look_from(struct plane_study *s, struct vec2 z)
     return status;
 }
 
-/* To the right and to the left, by a part of the window. */
-static enum status look_beside(struct plane_study *s, struct vec2 z,
-                               double part)
+/* On either side of a return. */
+static enum status look_beside(struct plane_study *s, const struct winding *w)
 {
-    const struct vec2 d = { part * s->scale.side.x, 0.0 };
-    const enum status status = plane_border_look_from(s, vec2_add(z, d));
+    const struct vec2 side = vec2_scale(TOL_SEEN, s->scale.side);
+    const bool across = w->section == WINDING_ROUND_Y;
+    const struct vec2 d = { across ? side.x : 0.0, across ? 0.0 : side.y };
+    const enum status status = plane_border_look_from(s, vec2_add(w->at[0], d));
 
-    return status ? status : plane_border_look_from(s, vec2_sub(z, d));
+    return status ? status : plane_border_look_from(s, vec2_sub(w->at[0], d));
 }
 
 /* Within its trap, and as far out in that as a turn tells. */
@@ -50,16 +51,17 @@ static struct vec2 inside(const struct plane_study *s,
     return vec2_add(r->z, (struct vec2){ far * s->scale.side.x, 0.0 });
 }
 
-enum status plane_border_look(struct plane_study *s)
+enum status plane_border_look(struct plane_study *s, size_t rests,
+                              size_t cycles)
 {
     enum status status = STATUS_OK;
 
-    for (size_t i = 0; i < s->rests && status == STATUS_OK; i++)
+    for (size_t i = rests; i < s->rests && status == STATUS_OK; i++)
         if (plane_rest_attracts(&s->rest[i], false))
             status = plane_border_look_from(s, inside(s, &s->rest[i]));
-    for (size_t k = 0; k < s->cycles && status == STATUS_OK; k++)
+    for (size_t k = cycles; k < s->cycles && status == STATUS_OK; k++)
         if (s->cycle[k].type == PLANE_CYCLE_STABLE)
-            status = look_beside(s, s->cycle[k].round.at[0], TOL_SEEN);
+            status = look_beside(s, &s->cycle[k].round);
     return status;
 }
 
@@ -262,7 +264,7 @@ static enum status add_cycle(struct plane_study *s, size_t k)
 {
     const struct planar *system = &s->system[1];
     const struct winding *w = &s->cycle[k].round;
-    struct winding round = { .count = 0 };
+    struct winding round = winding_from(w, &s->scale);
     struct taylor_orbit o =
         taylor_orbit_at(system, vec2_sub(w->at[0], system->origin),
                         s->scale.side, 0.01 * TOL_RTOL_DEFAULT);
@@ -291,7 +293,8 @@ static enum status add_cycle(struct plane_study *s, size_t k)
         gap = next;
     }
     gap = fmin(gap, next);
-    if (status == STATUS_OK && gap < HUGE_VAL && first > 0)
+    if (status == STATUS_OK && gap < HUGE_VAL && first > 0 &&
+        w->section == WINDING_HIGHEST)
         status = go_down(&o, &first, last);
     if (status != STATUS_NO_MEMORY && gap < HUGE_VAL && first > 0) {
         const struct curve *const c[2] = { NULL, &o.curve };

@@ -4,8 +4,9 @@
 #include "plane_study.h"
 
 /* Cycles that repel, from orbits backward in time: from beside every attractor
- * and cycle.  STATUS_NO_MEMORY. */
-MUST_CHECK enum status plane_border_look(struct plane_study *s);
+ * and cycle, of these numbers or more.  STATUS_NO_MEMORY. */
+MUST_CHECK enum status plane_border_look(struct plane_study *s, size_t rests,
+                                         size_t cycles);
 
 /* A cycle that repels, from an absolute point backward in time. */
 MUST_CHECK enum status plane_border_look_from(struct plane_study *s,

@@ -23,9 +23,10 @@ const char *const plane_end_names[] = { "equilibrium", "cycle", "saddle",
 
 /* Both halves of a manifold, by the side that they grow to. */
 struct half {
-    struct winding winding;
-    bool left;     /* it has been away from its saddle */
-    bool lost;     /* where the last piece ends is not known */
+    struct windings windings;
+    const struct winding *round; /* of those, once it closes */
+    bool left;                   /* it has been away from its saddle */
+    bool lost;                   /* where the last piece ends is not known */
     bool broken;   /* formulas may have no values after theta, or an
                       equilibrium that is not known may be there */
     int8_t end;    /* enum plane_end, -1 */
@@ -33,6 +34,11 @@ struct half {
     double theta;  /* on the last piece */
     double beyond; /* of its length, at most */
 };
+
+static struct half half_begin(void)
+{
+    return (struct half){ .windings = windings_begin(0.0), .end = -1 };
+}
 
 struct following {
     const struct plane_study *s;
@@ -120,12 +126,11 @@ static bool branch_ends(void *ctx, const struct branch *b, struct vec2 z,
     if (h->end >= 0 || h->broken)
         return true;
     h->left = h->left || vec2_length(away) > TOL_LITTLE;
-    if (winding_add(&h->winding, f->system, &f->s->scale, &b->curve,
-                    b->curve.count - 1, f->rests, f->s->rests)) {
+    h->round = windings_add(&h->windings, f->system, &f->s->scale, &b->curve,
+                            b->curve.count - 1, f->rests, f->s->rests);
+    if (h->round != NULL)
         h->end = PLANE_END_CYCLE;
-        return true;
-    }
-    return false;
+    return h->round != NULL;
 }
 
 /* The last piece up to theta. */
@@ -258,8 +263,8 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
                 ? (int64_t) h->to
                 : RECORD_COUNT_NONE;
     if (b->end == PLANE_END_CYCLE) {
-        status = plane_cycle_add(s, &h->winding, b->kind == MANIFOLD_UNSTABLE,
-                                 &cycle);
+        status =
+            plane_cycle_add(s, h->round, b->kind == MANIFOLD_UNSTABLE, &cycle);
         b->to = cycle < s->cycles ? (int64_t) cycle : RECORD_COUNT_NONE;
         b->end = cycle < s->cycles ? b->end : -1;
     }
@@ -319,7 +324,7 @@ static enum status go_nearer(struct following *f, const struct local_series *u,
            box_holds(w, vec2_add(f->from->z, on_last(b, 0.0)))) {
         const int side = b->side;
         branch_free(b);
-        *h = (struct half){ .end = -1 };
+        *h = half_begin();
         status = grow_branch(&near, u, side, &o, b);
         if (status != STATUS_OK)
             break;
@@ -365,7 +370,7 @@ static enum status grow_at(struct plane_study *s, int64_t saddle, size_t rest,
     }
     for (size_t i = 0; i < s->rests; i++)
         rests[i] = s->rest[i].z;
-    f.half[0].end = f.half[1].end = -1;
+    f.half[0] = f.half[1] = half_begin();
     o.max_steps *= 2; /* bands times regions grow as their square */
     o.follower = &follower;
     o.monitor = monitor;

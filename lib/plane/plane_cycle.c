@@ -17,7 +17,8 @@ size_t plane_cycle_find(const struct plane_study *s, const struct winding *w,
     for (size_t k = 0; k < s->cycles; k++) {
         const struct plane_cycle *c = &s->cycle[k];
         for (size_t i = 0; i < c->round.turns; i++)
-            if ((c->type == PLANE_CYCLE_STABLE) == stable &&
+            if (c->round.section == w->section &&
+                (c->type == PLANE_CYCLE_STABLE) == stable &&
                 vec2_length(arrival_from(&s->scale, w->at[0],
                                          c->round.at[i])) <= TOL_DRAWN)
                 return k;
@@ -75,7 +76,7 @@ static bool go_round(const struct plane_study *s, const struct winding *w,
     const struct planar *sys = &s->system[!stable];
     struct taylor_orbit o = taylor_orbit_at(
         sys, vec2_sub(z, sys->origin), s->scale.side, 0.01 * TOL_RTOL_DEFAULT);
-    struct winding round = { .count = 0 };
+    struct winding round = winding_from(w, &s->scale);
     double theta = 1.0, at[CURVE_DIM_MAX];
     size_t turns = 0, before;
     bool follows = true;
@@ -94,13 +95,14 @@ static bool go_round(const struct plane_study *s, const struct winding *w,
         }
         before = round.count;
         (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);
-        turns += piece > 0 && round.count > before;
-        if (turns == w->turns)
-            (void) arrival_nearest(&s->scale, &o.curve, piece, sys->origin, z,
-                                   HUGE_VAL, &theta);
+        if (piece > 0 || w->section != WINDING_HIGHEST) /* it begins there */
+            turns += round.count - before;
+        theta = turns < w->turns ? 1.0 : round.theta;
         curve_at(&o.curve, piece, theta, at);
         plane_cycle_divergence(sys, &o.curve, piece, theta, r->sum);
     }
+    for (int i = 0; i < 2 && turns > 0; i++)
+        r->sum[i] *= (double) w->turns / (double) turns;
     r->way = vec2_sub(vec2_add(sys->origin, (struct vec2){ at[0], at[1] }), z);
     taylor_orbit_free(&o);
     return follows;
@@ -133,7 +135,6 @@ static bool attracts(const struct plane_study *s, const struct winding *w,
     const bool follows = go_round(s, w, w->at[0], stable, &beside);
     const double *sum = beside.sum;
 
-    *on = beside;
     if (!follows)
         return true;
     if (!(sum[0] < -TOL_SAME * sum[1] &&

@@ -3,6 +3,25 @@
 #include "plane_beyond.h"
 #include "plane_rest.h"
 
+const char *const plane_unknown_texts[PLANE_UNKNOWNS] = {
+    [PLANE_UNKNOWN_CLOSED] =
+        "closed orbits attract none beside them, as where something is "
+        "conserved",
+    [PLANE_UNKNOWN_LOST] =
+        "orbits come so near to an equilibrium that is not hyperbolic, to a "
+        "box that may hold one, to a closed orbit, or to where formulas may "
+        "have no values, that rounding decides",
+    [PLANE_UNKNOWN_STEPS] =
+        "orbits are not at an end after all the steps that they may take",
+    [PLANE_UNKNOWN_WORK] = "the work for labels was spent",
+    [PLANE_UNKNOWN_CELLS] =
+        "cells lie beside others that go elsewhere, where no curve that parts "
+        "them is known",
+    [PLANE_UNKNOWN_BORDER] =
+        "a stable manifold goes round more often than steps allow: beyond its "
+        "last turn both of its sides are one region",
+};
+
 static size_t traps_before(const struct plane_study *s, size_t rest)
 {
     size_t n = 0;

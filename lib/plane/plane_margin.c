@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "margin.h"
-#include "plane_basin.h"
+#include "plane_map.h"
 #include "plane_patch.h"
 #include "plane_tolerance.h"
 
@@ -142,7 +142,7 @@ enum status plane_margin_at(const struct plane_study *s, struct vec2 z,
     const bool inside = box_holds(s->window.box, z);
     struct margin_line l;
     int8_t label = -1;
-    enum status status = plane_basin_at(s, z, true, &label);
+    enum status status = plane_map_at(s, z, true, &label);
 
     if (status == STATUS_OK)
         status = margin_init(&l, &s->basin.cuts, &s->basin.columns);
@@ -173,17 +173,17 @@ enum status plane_margin_fill(const struct plane_study *s, size_t columns,
         return status;
     for (size_t k = 0; k < columns + count; k++) {
         const int axis = k < count ? 0 : 1; /* along rows, then columns */
-        const double at =
-            axis == 0 ? plane_basin_cell(s, 1, first + k, rows, true)
-                      : plane_basin_cell(s, 0, k - count, columns, true);
+        const double at = axis == 0
+                              ? plane_map_cell(s, 1, first + k, rows, true)
+                              : plane_map_cell(s, 0, k - count, columns, true);
         find_line(s, axis, at, &l);
         for (size_t i = 0; i < (axis == 0 ? columns : count); i++) {
             const struct vec2 here =
                 axis == 0
-                    ? (struct vec2){ plane_basin_cell(s, 0, i, columns, true),
+                    ? (struct vec2){ plane_map_cell(s, 0, i, columns, true),
                                      at }
-                    : (struct vec2){ at, plane_basin_cell(s, 1, first + i, rows,
-                                                          true) };
+                    : (struct vec2){ at, plane_map_cell(s, 1, first + i, rows,
+                                                        true) };
             const double shift = shift_in_window(s, axis, &l, here, &error);
             const size_t cell =
                 axis == 0 ? k * columns + i : i * columns + (k - count);

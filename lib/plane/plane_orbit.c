@@ -16,25 +16,6 @@
 #include "taylor_orbit.h"
 #include "tolerance.h"
 
-const char *const plane_unknown_texts[PLANE_UNKNOWNS] = {
-    [PLANE_UNKNOWN_CLOSED] =
-        "closed orbits attract none beside them, as where something is "
-        "conserved",
-    [PLANE_UNKNOWN_LOST] =
-        "orbits come so near to an equilibrium that is not hyperbolic, to a "
-        "box that may hold one, to a closed orbit, or to where formulas may "
-        "have no values, that rounding decides",
-    [PLANE_UNKNOWN_STEPS] =
-        "orbits are not at an end after all the steps that they may take",
-    [PLANE_UNKNOWN_WORK] = "the work for labels was spent",
-    [PLANE_UNKNOWN_CELLS] =
-        "cells lie beside others that go elsewhere, where no curve that parts "
-        "them is known",
-    [PLANE_UNKNOWN_BORDER] =
-        "a stable manifold goes round more often than steps allow: beyond its "
-        "last turn both of its sides are one region",
-};
-
 /* ---- where it ends ------------------------------------------------------- */
 
 /* The equilibrium whose trap holds the end of the orbit. */
@@ -50,21 +31,28 @@ static bool is_trapped(const struct plane_study *s, struct vec2 z,
     return false;
 }
 
-/* The cycle that returns come nearer and nearer to; s->cycles: none known. */
-static size_t cycle_ahead(const struct plane_study *s, const struct winding *w,
-                          bool stable)
+static double apart(const struct plane_study *s, struct vec2 a, struct vec2 b)
 {
-    for (size_t k = 0; k < s->cycles && w->count > 1; k++) {
+    return vec2_length(arrival_from(&s->scale, a, b));
+}
+
+/* The cycle that returns come nearer and nearer to, or are on; s->cycles: none
+ * known. */
+static size_t cycle_ahead(const struct plane_study *s,
+                          const struct windings *all, bool stable)
+{
+    for (size_t k = 0; k < s->cycles; k++) {
         const struct plane_cycle *c = &s->cycle[k];
-        const double d[] = {
-            vec2_length(arrival_from(&s->scale, w->at[0], c->round.at[0])),
-            vec2_length(arrival_from(&s->scale, w->at[1], c->round.at[0]))
-        };
+        const struct winding *w = &all->of[c->round.section];
+        const double d[] = { apart(s, w->at[0], c->round.at[0]),
+                             apart(s, w->at[1], c->round.at[0]) };
         if ((c->type == PLANE_CYCLE_STABLE) == stable && c->round.turns == 1 &&
-            d[0] <= TOL_SEEN && d[0] < TOL_WINDING_SHRINK * d[1])
+            w->count > 1 && d[0] <= TOL_SEEN &&
+            d[0] < TOL_WINDING_SHRINK * d[1])
             return k;
     }
-    return s->cycles;
+    const struct winding *on = windings_closed(all, &s->scale);
+    return on ? plane_cycle_find(s, on, stable) : s->cycles;
 }
 
 /* ---- steps --------------------------------------------------------------- */
@@ -84,7 +72,7 @@ struct walk {
     double first, least;     /* differences of returns: the first, the least */
     struct taylor_orbit series;
     struct orbit implicit; /* once it is stiff */
-    struct winding winding;
+    struct windings windings;
     struct escape escape;
     const struct plane_guide *guide; /* borrowed; or NULL */
     size_t due;                      /* the step at which it is asked next */
@@ -199,12 +187,12 @@ static void keep_rounds(struct walk *w, struct plane_goal *out)
  * past a closed orbit, and part again. */
 static bool has_slipped_past(struct walk *w)
 {
-    if (w->winding.count < 2)
-        return false;
-    const double gap = vec2_length(
-        arrival_from(&w->s->scale, w->winding.at[0], w->winding.at[1]));
+    const struct winding *h = &w->windings.of[WINDING_HIGHEST];
 
-    if (w->winding.count == 2)
+    if (h->count < 2)
+        return false;
+    const double gap = apart(w->s, h->at[0], h->at[1]);
+    if (h->count == 2)
         w->first = w->least = gap;
     w->least = fmin(w->least, gap);
     return w->least <= TOL_WITHIN && 2.0 * w->least < w->first &&
@@ -241,13 +229,13 @@ static bool is_periodic(const struct walk *w, struct vec2 z, struct vec2 period)
  * field: modulo that it winds on to a closed orbit, as that attracts. */
 static bool rotates(const struct walk *w, struct plane_goal *out)
 {
-    const struct vec2 *at = w->winding.at, by = vec2_sub(at[0], at[1]);
-    const struct arrival_scale *s = &w->s->scale;
-    const double gap = vec2_length(arrival_from(s, by, vec2_sub(at[1], at[2]))),
-                 far = vec2_length(arrival_from(s, at[0], at[1]));
+    const struct winding *h = &w->windings.of[WINDING_HIGHEST];
+    const struct vec2 *at = h->at, by = vec2_sub(at[0], at[1]);
+    const double gap = apart(w->s, by, vec2_sub(at[1], at[2])),
+                 far = apart(w->s, at[0], at[1]);
     double sum[2] = { 0.0, 0.0 }, start[2] = { 0.0, 0.0 }, z[CURVE_DIM_MAX];
 
-    if (w->stiff || w->winding.count < 3 || w->before == 0 ||
+    if (w->stiff || h->count < 3 || w->before == 0 ||
         !(gap <= TOL_WITHIN && far > TOL_SEEN))
         return false;
     for (size_t i = w->before - 1; i + 1 < w->returned; i++) {
@@ -260,11 +248,12 @@ static bool rotates(const struct walk *w, struct plane_goal *out)
     divergence_to(w, w->before, at[1], start);
     const double log_factor = sum[0] - start[0];
     if (!(log_factor < -TOL_SAME * sum[1] &&
-          far > 10.0 * fmax(gap, w->winding.off) / -expm1(log_factor)))
+          far > 10.0 * fmax(gap, h->off) / -expm1(log_factor)))
         return false;
     *out = (struct plane_goal){ .kind = PLANE_GOAL_BEYOND };
     for (int i = 0; i < 2; i++) {
-        const double d = i ? by.y / s->side.y : by.x / s->side.x;
+        const double d =
+            i ? by.y / w->s->scale.side.y : by.x / w->s->scale.side.x;
         out->beyond.way[i] = d > TOL_SEEN    ? PLANE_WAY_UP
                              : d < -TOL_SEEN ? PLANE_WAY_DOWN
                                              : PLANE_WAY_UNKNOWN;
@@ -278,23 +267,24 @@ static void look(struct walk *w, const struct vec2 rests[],
 {
     const struct curve *c = curve_of(w);
     const struct plane_study *s = w->s;
-    const size_t returns = w->winding.count;
+    const struct winding *h = &w->windings.of[WINDING_HIGHEST];
+    const size_t returns = h->count;
     const bool flat = !(s->scale.period.x > 0.0 || s->scale.period.y > 0.0);
 
-    if (winding_add(&w->winding, w->system, &s->scale, c, c->count - 1, rests,
-                    s->rests)) {
-        *out = (struct plane_goal){ .kind = PLANE_GOAL_CYCLE,
-                                    .round = w->winding };
+    const struct winding *round = windings_add(
+        &w->windings, w->system, &s->scale, c, c->count - 1, rests, s->rests);
+    if (round != NULL) {
+        *out = (struct plane_goal){ .kind = PLANE_GOAL_CYCLE, .round = *round };
         return;
     }
-    if (w->winding.count > returns) {
+    if (h->count > returns) {
         w->before = returns > 0 ? w->returned : 0;
         w->returned = c->count;
         w->lost = has_slipped_past(w);
         if (rotates(w, out))
             return;
     }
-    const size_t ahead = cycle_ahead(s, &w->winding, !w->backward);
+    const size_t ahead = cycle_ahead(s, &w->windings, !w->backward);
     if (ahead < s->cycles)
         *out = (struct plane_goal){ .kind = PLANE_GOAL_CYCLE,
                                     .round = s->cycle[ahead].round };
@@ -425,7 +415,7 @@ static bool arrives(struct walk *w, struct plane_goal *out)
         for (int i = 0; i < 2 && w->escape.left && !end.rests; i++)
             out->beyond.way[i] = PLANE_WAY_UNKNOWN;
     } else {
-        return w->stopped || winding_is_closed(&w->winding, &w->s->scale);
+        return w->stopped || windings_closed(&w->windings, &w->s->scale);
     }
     return true;
 }
@@ -455,7 +445,7 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                       .far = TOL_PLANE_FAR,
                       .backward = backward,
                       .lost = plane_weak_at(s, z, TOL_SEEN),
-                      .winding = { .noise = TOL_ORBIT_RTOL },
+                      .windings = windings_begin(TOL_ORBIT_RTOL),
                       .guide = guide,
                       .plan = plane_defined_copy(s) };
     struct vec2 *rests = calloc(s->rests + 1, sizeof *rests);
@@ -481,12 +471,12 @@ enum status plane_orbit(const struct plane_study *s, struct vec2 z,
                             is_blurred(&w) ? TOL_SAME : TOL_PLANE_STILL))
         break_off(out);
     keep_rounds(&w, out);
-    out->why = w.broken || w.lost                         ? PLANE_UNKNOWN_LOST
-               : winding_is_closed(&w.winding, &s->scale) ? PLANE_UNKNOWN_CLOSED
-                                                          : PLANE_UNKNOWN_STEPS;
+    out->why = w.broken || w.lost                        ? PLANE_UNKNOWN_LOST
+               : windings_closed(&w.windings, &s->scale) ? PLANE_UNKNOWN_CLOSED
+                                                         : PLANE_UNKNOWN_STEPS;
     out->steps = steps_of(&w);
     if (out->kind == PLANE_GOAL_NONE)
-        out->round = w.winding;
+        out->round = w.windings.of[WINDING_HIGHEST];
     taylor_orbit_free(&w.series);
     orbit_free(&w.implicit);
     free(w.plan);

@@ -18,6 +18,7 @@
 #include "region.h"
 #include "scene.h"
 #include "system_plane.h"
+#include "winding.h"
 
 /* Types of equilibria, in this order; NULL-ended. */
 enum plane_type {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "clock.h"
-#include "plane_basin.h"
+#include "plane_map.h"
 #include "plane_study.h"
 #include "quad_formulas.h"
 #include "stress_judge.h"
@@ -173,7 +173,7 @@ static enum status judge_labels(struct judging *j)
         w.accuracy = STRESS_ARRIVED;
         w.most = 1.0;
         w.longest = (quad) HUGE_VAL;
-        status = plane_basin_at(s, z, false, &label);
+        status = plane_map_at(s, z, false, &label);
         if (status != STATUS_OK || label < 0)
             continue;
         w.z[0] = z.x;

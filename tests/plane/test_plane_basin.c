@@ -1,4 +1,5 @@
 /* Shares of basins that are known: by symmetry, as areas, as nothing. */
+#include "plane_map.h"
 #include "plane_shares.h"
 #include "plane_tolerance.h"
 
@@ -144,6 +145,46 @@ static void a_driven_pendulum_rotates(void **state)
     plane_end(&s, &c);
 }
 
+/* Closed orbits round a cylinder or a torus need not be highest anywhere: they
+ * return where an angle has gone round.  One is a straight line; one locks 1:1,
+ * and one 1:2, with another that repels beside it; r = 1/2 repels between
+ * two. */
+static void cycles_round_angles_are_seen(void **state)
+{
+    static const struct {
+        const char *ode, *angles;
+        double share; /* of cycle_0 */
+        size_t cycles;
+    } of[] = {
+        { "x' = 1; y' = -y", "system.state.x=angle\nwindow={y: [-3, 3]}\n", 1.0,
+          1 },
+        { "y' = 0.6 - sin(x) - 1.3*y; x' = y + 1",
+          "system.state.x=angle\nwindow={y: [-3, 3]}\n", 1.0, 1 },
+        { "x' = 1 + 0.3*sin(y - x); y' = 1.2 + 0.3*sin(x - y)",
+          "system.state={x: angle, y: angle}\n", 1.0, 2 },
+        { "x' = 1 + 0.3*sin(y - 2*x) + 0.1*sin(3*x); "
+          "y' = 2.1 - 0.3*sin(y - 2*x)",
+          "system.state={x: angle, y: angle}\n", 1.0, 2 },
+        { "r' = r*(1 - r)*(r - 0.5); x' = 1 + 0.2*cos(x)",
+          "system.state.x=angle\nwindow={r: [-0.5, 1.5]}\n", 0.5, 3 },
+        { "x' = 1 + 0.2*cos(x); r' = r*(1 - r)*(r - 0.5)",
+          "system.state.x=angle\nwindow={r: [-0.5, 1.5]}\n", 0.5, 3 },
+    };
+    struct plane_study s;
+    struct scene c;
+    char text[200];
+
+    (void) state;
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        snprintf(text, sizeof text, "%sproducts=[basins]\nbasins.audit=50\n",
+                 of[i].angles);
+        plane_run(&s, &c, of[i].ode, text);
+        has_share(&s, "cycle_0", of[i].share, 1e-11);
+        assert_int_equal(s.cycles, of[i].cycles);
+        plane_end(&s, &c);
+    }
+}
+
 /* Morris and Lecar's cell: a weak focus within a cycle that repels, within one
  * that attracts, beside a node. */
 static void a_weak_focus_has_its_share(void **state)
@@ -279,14 +320,14 @@ static void rows_of_the_map_agree_with_single_states(void **state)
 
     (void) state;
     plane_run(&s, &c, "x' = y; y' = x - x^3 - 0.3*y", WINDOW);
-    assert_int_equal(plane_basin_fill(&s, 20, 10, 0, 10, map), STATUS_OK);
+    assert_int_equal(plane_map_fill(&s, 20, 10, 0, 10, map), STATUS_OK);
     for (size_t i = 0; i < 200; i++) {
-        const struct vec2 z = { plane_basin_cell(&s, 0, i % 20, 20, true),
-                                plane_basin_cell(&s, 1, i / 20, 10, true) };
-        assert_int_equal(plane_basin_at(&s, z, true, &one), STATUS_OK);
+        const struct vec2 z = { plane_map_cell(&s, 0, i % 20, 20, true),
+                                plane_map_cell(&s, 1, i / 20, 10, true) };
+        assert_int_equal(plane_map_at(&s, z, true, &one), STATUS_OK);
         assert_int_equal(one, map[i]);
     }
-    assert_int_equal(plane_basin_at(&s, (struct vec2){ 0.0, 0.0 }, true, &one),
+    assert_int_equal(plane_map_at(&s, (struct vec2){ 0.0, 0.0 }, true, &one),
                      STATUS_OK);
     assert_int_equal(one, -1);
     plane_end(&s, &c);
@@ -331,7 +372,7 @@ static void bands_between_turns_go_where_their_side_leads(void **state)
     has_share(&s, "stable_focus_0", 0.5, 1e-4);
     has_share(&s, "stable_focus_1", 0.5, 1e-4);
     assert_true(s.basin.steps < TOL_PLANE_WORK);
-    assert_int_equal(plane_basin_fill(&s, 16, 16, 0, 16, map), STATUS_OK);
+    assert_int_equal(plane_map_fill(&s, 16, 16, 0, 16, map), STATUS_OK);
     for (int k = 0; k < 128; k++)
         CHECK(map[k] + map[255 - k] == 1, "cell %d: %d, %d", k, map[k],
               map[255 - k]);
@@ -366,6 +407,7 @@ int main(void)
         TEST(a_cycle_that_repels_is_a_boundary),
         TEST(cycles_that_attract_at_once_are_seen),
         TEST(a_driven_pendulum_rotates),
+        TEST(cycles_round_angles_are_seen),
         TEST(a_weak_focus_has_its_share),
         TEST(orbits_that_all_close_are_no_attractors),
         TEST(what_rests_outside_is_said_to),

@@ -2,6 +2,8 @@
  * that divides. */
 #include <time.h>
 
+#include "plane_basin.h"
+#include "plane_map.h"
 #include "plane_numbers.h"
 #include "plane_orbit.h"
 #include "plane_shares.h"
@@ -67,11 +69,11 @@ static void borders_that_are_not_known_are_closed_in_on(void **state)
                         : "window={x: [-2, 0.9], y: [-2, 2]}\n"
                           "products=[basins]\nbasins.audit=200\n");
         is_nearly(&s, at[i].name, at[i].share);
-        assert_int_equal(plane_basin_fill(&s, 16, 16, 0, 16, map), STATUS_OK);
+        assert_int_equal(plane_map_fill(&s, 16, 16, 0, 16, map), STATUS_OK);
         for (size_t k = 0; k < 256; k++) {
-            const struct vec2 z = { plane_basin_cell(&s, 0, k % 16, 16, true),
-                                    plane_basin_cell(&s, 1, k / 16, 16, true) };
-            assert_int_equal(plane_basin_at(&s, z, true, &one), STATUS_OK);
+            const struct vec2 z = { plane_map_cell(&s, 0, k % 16, 16, true),
+                                    plane_map_cell(&s, 1, k / 16, 16, true) };
+            assert_int_equal(plane_map_at(&s, z, true, &one), STATUS_OK);
             assert_int_equal(one < 0 ? (int8_t) s.basin.labels : one, map[k]);
         }
         plane_end(&s, &c);
@@ -207,10 +209,10 @@ static void no_orbit_speaks_across_a_pole(void **state)
     plane_run(&s, &c, "x' = v; v' = -x - 0.2*v + 0.1/(1 - x)^2",
               "window={x: [-1, 2], v: [-1.5, 1.5]}\nproducts=[basins]\n"
               "basins.audit=500\n");
-    assert_int_equal(plane_basin_fill(&s, N, N, 0, N, map), STATUS_OK);
+    assert_int_equal(plane_map_fill(&s, N, N, 0, N, map), STATUS_OK);
     for (size_t k = 0; k < N * N; k++) {
-        const double x = plane_basin_cell(&s, 0, k % N, N, true),
-                     v = plane_basin_cell(&s, 1, k / N, N, true);
+        const double x = plane_map_cell(&s, 0, k % N, N, true),
+                     v = plane_map_cell(&s, 1, k / N, N, true);
         const char *name = s.basin.name[map[k]];
         CHECK(strcmp(name, "undecided") == 0 ||
                   (strcmp(name, "stable_focus_1") == 0) == (x > 1.0),
@@ -439,7 +441,7 @@ static void a_row_through_the_ends_of_two_branches_has_no_label(void **state)
     assert_int_equal(s.basin.disagreements, 0);
     for (int i = -39; i < 40; i++) {
         assert_int_equal(
-            plane_basin_at(&s, (struct vec2){ 0.1 * i, 0.0 }, true, &label),
+            plane_map_at(&s, (struct vec2){ 0.1 * i, 0.0 }, true, &label),
             STATUS_OK);
         CHECK(label < 0 || label == (abs(i) < 18 ? 1
                                      : i < 0     ? 0

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "formulas.h"
-#include "plane_basin.h"
+#include "plane_map.h"
 
 enum { DRAWS = 200, CELLS = 12 };
 
@@ -124,9 +124,8 @@ static void the_map_says_the_same(void **state)
             plane_margin_fill(&s, CELLS, CELLS, row, 4, map + CELLS * row),
             STATUS_OK);
     for (size_t i = 0; i < CELLS * CELLS; i++) {
-        const struct vec2 z = { plane_basin_cell(&s, 0, i % CELLS, CELLS, true),
-                                plane_basin_cell(&s, 1, i / CELLS, CELLS,
-                                                 true) };
+        const struct vec2 z = { plane_map_cell(&s, 0, i % CELLS, CELLS, true),
+                                plane_map_cell(&s, 1, i / CELLS, CELLS, true) };
         assert_int_equal(plane_margin_at(&s, z, kick), STATUS_OK);
         for (int k = 0; k < 2; k++)
             CHECK(kick[k].reason ? isnan(map[i].by[k])

@@ -1,6 +1,7 @@
 /* Shares that curves and ends outside the window decide: by symmetry, as areas,
  * and as the same states have it in a larger window. */
 #include "plane_answer.h"
+#include "plane_map.h"
 #include "plane_orbit.h"
 #include "plane_shares.h"
 
@@ -86,8 +87,8 @@ static void narrow_windows_know_what_wide_ones_do(void **state)
         for (int k = 0; k < 400; k++) {
             const struct vec2 z = window_at(&s.window, vec2_spread(0.7, k));
             int8_t a, b;
-            assert_int_equal(plane_basin_at(&s, z, true, &a), STATUS_OK);
-            assert_int_equal(plane_basin_at(&w, z, true, &b), STATUS_OK);
+            assert_int_equal(plane_map_at(&s, z, true, &a), STATUS_OK);
+            assert_int_equal(plane_map_at(&w, z, true, &b), STATUS_OK);
             if (a < 0 || b < 0)
                 continue;
             const struct vec2 off = vec2_sub(rest_of(&s, a), rest_of(&w, b));
@@ -151,7 +152,7 @@ static void what_comes_back_from_afar_is_not_told_infinity(void **state)
     assert_string_equal(answer.attractor, "x_to_-infinity");
     for (int k = 0; k < 400; k++) {
         const struct vec2 z = window_at(&s.window, vec2_spread(0.7, k));
-        assert_int_equal(plane_basin_at(&s, z, true, &label), STATUS_OK);
+        assert_int_equal(plane_map_at(&s, z, true, &label), STATUS_OK);
         if (label >= 0)
             CHECK(strcmp(s.basin.name[label],
                          z.y > 0.0 ? "x_to_0_y_to_2" : "x_to_-infinity") == 0,
