@@ -33,3 +33,7 @@ bool escape_add(struct escape *e, const struct planar *sys, struct box window,
  * from both than TOL_ESCAPE_CHORD of their distance, in sides of the box. */
 bool escape_may_touch(const struct curve *c, size_t piece, struct vec2 origin,
                       struct box box);
+
+/* A box of offsets: a piece about whose this does not meet a box of that size
+ * does not touch it, as the above tells.  Finite. */
+struct box escape_around(const struct curve *c, size_t piece, struct vec2 size);

@@ -164,10 +164,11 @@ static void come_back(struct winding *w, const struct passage *p)
     w->away = w->near;
     w->near = HUGE_VAL;
     memmove(w->at + 1, w->at, (WINDING_KEPT - 1) * sizeof *w->at);
+    memmove(w->theta + 1, w->theta, (WINDING_KEPT - 1) * sizeof *w->theta);
     memmove(w->piece + 1, w->piece, (WINDING_KEPT - 1) * sizeof *w->piece);
-    w->theta = p->theta;
     w->at[0] = vec2_add(p->sys->origin, point_at(p, p->theta));
     w->piece[0] = w->pieces;
+    w->theta[0] = p->theta;
     w->count++;
 }
 
@@ -213,7 +214,8 @@ static bool is_outranked(const struct windings *w, const struct winding *of,
                          size_t turns)
 {
     for (const struct winding *h = w->of; h < of; h++)
-        if (h->count > 0 && h->piece[0] > of->piece[turns])
+        if (h->piece[0] > of->piece[turns] ||
+            (h->piece[0] == of->piece[turns] && h->theta[0] > of->theta[turns]))
             return true;
     return false;
 }

@@ -26,8 +26,8 @@ enum winding_section {
 struct winding {
     enum winding_section section;
     struct vec2 at[WINDING_KEPT]; /* absolute, the last one first */
-    size_t piece[WINDING_KEPT];   /* their numbers, of the curve */
-    double theta;                 /* of the last one, on its piece */
+    size_t piece[WINDING_KEPT];   /* how many pieces there were then */
+    double theta[WINDING_KEPT];   /* and where on the last one of these */
     size_t count;                 /* of all */
     double noise;         /* what a piece is off, of 1 + |offset|; given */
     size_t pieces;        /* added so far */

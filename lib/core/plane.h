@@ -32,6 +32,12 @@ static inline struct vec2 vec2_scale(double s, struct vec2 v)
     return (struct vec2){ s * v.x, s * v.y };
 }
 
+static inline bool box_meets(struct box a, struct box b)
+{
+    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y &&
+           b.lo.y <= a.hi.y;
+}
+
 static inline bool box_holds(struct box b, struct vec2 z)
 {
     return z.x >= b.lo.x && z.x <= b.hi.x && z.y >= b.lo.y && z.y <= b.hi.y;

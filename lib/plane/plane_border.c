@@ -96,52 +96,60 @@ static enum status copy(const struct curve *from, size_t first, size_t last,
     return status;
 }
 
-/* The range of a coordinate of a curve. */
-static void range_of(const struct curve *c, int axis, double range[2])
-{
-    double at[CURVE_DIM_MAX];
+/* Both halves of a chain, from a piece on. */
+struct chain {
+    const struct curve *c[2]; /* borrowed; or NULL */
+    struct box *around[2];    /* owned; of its pieces: escape_around */
+    struct box all;
+    size_t first;
+};
 
-    range[0] = HUGE_VAL;
-    range[1] = -HUGE_VAL;
-    for (size_t i = 0; i < c->count; i++)
-        for (int k = 0; k <= 4; k++) {
-            curve_at(c, i, 0.25 * k, at);
-            range[0] = fmin(range[0], at[axis]);
-            range[1] = fmax(range[1], at[axis]);
+static enum status chain_begin(const struct plane_study *s, struct chain *h)
+{
+    const struct vec2 size = vec2_sub(s->window.box.hi, s->window.box.lo);
+
+    h->all = (struct box){ { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    for (int k = 0; k < 2; k++) {
+        const size_t n = h->c[k] ? h->c[k]->count : 0;
+        h->around[k] = calloc(n + 1, sizeof *h->around[k]);
+        if (h->around[k] == NULL)
+            return STATUS_NO_MEMORY;
+        for (size_t i = 0; i < n; i++) {
+            const struct box b = escape_around(h->c[k], i, size);
+            h->around[k][i] = b;
+            h->all = (struct box){
+                { fmin(h->all.lo.x, b.lo.x), fmin(h->all.lo.y, b.lo.y) },
+                { fmax(h->all.hi.x, b.hi.x), fmax(h->all.hi.y, b.hi.y) }
+            };
         }
+    }
+    return STATUS_OK;
 }
 
-/* How many periods a curve may be moved and still meet the window: from, to. */
-static void periods(const struct plane_study *s, const struct curve *const c[2],
-                    struct vec2 origin, int axis, int turn[2])
+/* How many periods a coordinate between lo and hi may be moved and still meet
+ * the window's: from, to. */
+static void periods(double lo, double hi, double from, double to, double period,
+                    int turn[2])
 {
-    const double period = axis == 0 ? s->scale.period.x : s->scale.period.y;
-    const struct box w = s->window.box;
-    const double lo = axis == 0 ? w.lo.x - origin.x : w.lo.y - origin.y;
-    const double hi = axis == 0 ? w.hi.x - origin.x : w.hi.y - origin.y;
-    double least = HUGE_VAL, most = -HUGE_VAL, range[2];
-
     turn[0] = turn[1] = 0;
-    for (int i = 0; i < 2; i++)
-        if (c[i] && c[i]->count > 0) {
-            range_of(c[i], axis, range);
-            least = fmin(least, range[0]);
-            most = fmax(most, range[1]);
-        }
-    if (!(period > 0.0) || !(least <= most))
+    if (!(period > 0.0) || !(lo <= hi))
         return;
-    turn[0] = (int) fmax(ceil((lo - most) / period), -TOL_PLANE_TURNS);
-    turn[1] = (int) fmin(floor((hi - least) / period), TOL_PLANE_TURNS);
+    turn[0] = (int) fmax(ceil((from - hi) / period), -TOL_PLANE_TURNS);
+    turn[1] = (int) fmin(floor((to - lo) / period), TOL_PLANE_TURNS);
 }
 
-/* The pieces from `first` on that may touch the window: up to which. */
-static size_t run_from(const struct plane_study *s, const struct curve *c,
-                       size_t first, const struct moved *m)
+/* The pieces of half k from `first` on that may touch the window: up to which.
+ */
+static size_t run_from(const struct plane_study *s, const struct chain *h,
+                       int k, size_t first, const struct moved *m)
 {
     const struct vec2 origin = vec2_add(s->system[0].origin, m->by);
+    const struct box w = { vec2_sub(s->window.box.lo, origin),
+                           vec2_sub(s->window.box.hi, origin) };
 
-    while (c && first < c->count &&
-           escape_may_touch(c, first, origin, s->window.box))
+    while (h->c[k] && first < h->c[k]->count &&
+           box_meets(w, h->around[k][first]) &&
+           escape_may_touch(h->c[k], first, origin, s->window.box))
         first++;
     return first;
 }
@@ -163,64 +171,66 @@ static enum status new_border(struct plane_study *s, size_t of, int way,
 }
 
 /* The runs of half k from a piece on. */
-static enum status add_runs(struct plane_study *s, const struct curve *c, int k,
+static enum status add_runs(struct plane_study *s, const struct chain *h, int k,
                             size_t first, const struct moved *m)
 {
+    const size_t n = h->c[k] ? h->c[k]->count : 0;
     struct plane_border *new;
     enum status status = STATUS_OK;
 
-    for (size_t i = first; c && i < c->count && status == STATUS_OK; i++) {
-        const size_t last = run_from(s, c, i, m);
+    for (size_t i = first; i < n && status == STATUS_OK; i++) {
+        const size_t last = run_from(s, h, k, i, m);
         if (last == i)
             continue;
         status = new_border(s, m->of, k ? 1 : -1, &new);
         if (status == STATUS_OK)
-            status = copy(c, i, last, m, &new->half[1]);
+            status = copy(h->c[k], i, last, m, &new->half[1]);
         i = last;
     }
     return status;
 }
 
 /* The run through the place where both begin, and the others. */
-static enum status add_copy(struct plane_study *s,
-                            const struct curve *const c[2], size_t first,
+static enum status add_copy(struct plane_study *s, const struct chain *h,
                             const struct moved *m)
 {
-    const size_t last[] = { run_from(s, c[0], first, m),
-                            run_from(s, c[1], first, m) };
+    const size_t last[] = { run_from(s, h, 0, h->first, m),
+                            run_from(s, h, 1, h->first, m) };
     struct plane_border *new = NULL;
     enum status status = STATUS_OK;
 
-    if (last[0] > first || last[1] > first)
+    if (last[0] > h->first || last[1] > h->first)
         status = new_border(s, m->of, 1, &new);
     for (int k = 0; k < 2 && new &&status == STATUS_OK; k++)
-        if (last[k] > first)
-            status = copy(c[k], first, last[k], m, &new->half[k]);
+        if (last[k] > h->first)
+            status = copy(h->c[k], h->first, last[k], m, &new->half[k]);
     for (int k = 0; k < 2 && status == STATUS_OK; k++)
-        status = add_runs(s, c[k], k, last[k], m);
+        status = add_runs(s, h, k, last[k], m);
     return status;
 }
 
-/* One chain and its copies. */
-static enum status add(struct plane_study *s, const struct curve *const c[2],
-                       size_t first, struct vec2 origin, double error,
-                       size_t of)
+/* A chain about an origin, off by an error besides, and its copies. */
+static enum status add(struct plane_study *s, struct chain h,
+                       struct vec2 origin, double error, size_t of)
 {
+    const struct vec2 period = s->scale.period,
+                      lo = vec2_sub(s->window.box.lo, origin),
+                      hi = vec2_sub(s->window.box.hi, origin);
     int x[2], y[2];
-    enum status status = STATUS_OK;
+    enum status status = chain_begin(s, &h);
 
-    periods(s, c, origin, 0, x);
-    periods(s, c, origin, 1, y);
+    periods(h.all.lo.x, h.all.hi.x, lo.x, hi.x, period.x, x);
+    periods(h.all.lo.y, h.all.hi.y, lo.y, hi.y, period.y, y);
     for (int i = x[0]; i <= x[1]; i++)
         for (int j = y[0]; j <= y[1] && status == STATUS_OK; j++) {
+            const struct vec2 way = { i * period.x, j * period.y };
             const struct moved m = {
-                { origin.x - s->system[0].origin.x + i * s->scale.period.x,
-                  origin.y - s->system[0].origin.y + j * s->scale.period.y },
-                error,
-                of
+                vec2_add(vec2_sub(origin, s->system[0].origin), way), error, of
             };
-            status = add_copy(s, c, first, &m);
+            status = add_copy(s, &h, &m);
         }
+    free(h.around[0]);
+    free(h.around[1]);
     return status;
 }
 
@@ -234,8 +244,10 @@ static double height(const struct curve *c, size_t piece, double theta)
 
 /* From the top of a round to half of its height: ends of a curve that lie at
  * its top are in no band that is wide.  *first: the piece where that is now;
- * the orbit goes on to the same place, and by a piece more. */
-static enum status go_down(struct taylor_orbit *o, size_t *first, size_t last)
+ * the orbit goes on to the same place, where y has a period up to that, and by
+ * a piece more. */
+static enum status go_down(struct taylor_orbit *o, double period, size_t *first,
+                           size_t last)
 {
     double top = -HUGE_VAL, bottom = HUGE_VAL;
     enum status status = STATUS_OK;
@@ -244,11 +256,15 @@ static enum status go_down(struct taylor_orbit *o, size_t *first, size_t last)
         top = fmax(top, height(&o->curve, i, 0.0));
         bottom = fmin(bottom, height(&o->curve, i, 0.0));
     }
-    const double middle = 0.5 * (top + bottom);
+    const double middle = 0.5 * (top + bottom),
+                 way = height(&o->curve, last, 0.0) -
+                       height(&o->curve, *first, 0.0),
+                 round = period > 0.0 ? period * rint(way / period) : 0.0;
     while (*first < last && height(&o->curve, *first, 0.0) > middle)
         ++*first;
     for (bool more = true; more && status == STATUS_OK; last++) {
-        more = height(&o->curve, last, 1.0) > middle;
+        more = height(&o->curve, last, 1.0) > middle + round &&
+               last < TOL_CURVE_STEPS;
         if (last + 1 == o->curve.count)
             status = taylor_orbit_step(o);
         if (last + 1 == o->curve.count)
@@ -295,10 +311,10 @@ static enum status add_cycle(struct plane_study *s, size_t k)
     gap = fmin(gap, next);
     if (status == STATUS_OK && gap < HUGE_VAL && first > 0 &&
         w->section == WINDING_HIGHEST)
-        status = go_down(&o, &first, last);
+        status = go_down(&o, s->scale.period.y, &first, last);
     if (status != STATUS_NO_MEMORY && gap < HUGE_VAL && first > 0) {
-        const struct curve *const c[2] = { NULL, &o.curve };
-        status = add(s, c, first, system->origin,
+        const struct chain h = { .c = { NULL, &o.curve }, .first = first };
+        status = add(s, h, system->origin,
                      10.0 * gap / (1.0 - ratio) *
                              fmax(s->scale.side.x, s->scale.side.y) +
                          TOL_RTOL_DEFAULT * vec2_length(s->scale.side),
@@ -345,15 +361,15 @@ static enum status add_manifold(struct plane_study *s, size_t of)
 {
     const struct plane_branch *b = &s->branch[of];
     const struct plane_rest *r = &s->rest[b->rest];
-    const struct curve *const c[2] = { &b[0].curve.curve, &b[1].curve.curve },
-                              *const one[2] = { c[0], NULL },
-                              *const other[2] = { NULL, c[1] };
+    const struct chain both = { .c = { &b[0].curve.curve, &b[1].curve.curve } },
+                       one = { .c = { both.c[0], NULL } },
+                       other = { .c = { NULL, both.c[1] } };
     const double error = vec2_length(r->error);
 
     if (b->kind == MANIFOLD_STABLE)
-        return add(s, c, 0, r->z, error, of);
-    const enum status status = add(s, one, 0, r->z, error, of);
-    return status ? status : add(s, other, 0, r->z, error, of);
+        return add(s, both, r->z, error, of);
+    const enum status status = add(s, one, r->z, error, of);
+    return status ? status : add(s, other, r->z, error, of);
 }
 
 enum status plane_border_find(struct plane_study *s)

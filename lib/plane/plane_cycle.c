@@ -97,7 +97,7 @@ static bool go_round(const struct plane_study *s, const struct winding *w,
         (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);
         if (piece > 0 || w->section != WINDING_HIGHEST) /* it begins there */
             turns += round.count - before;
-        theta = turns < w->turns ? 1.0 : round.theta;
+        theta = turns < w->turns ? 1.0 : round.theta[0];
         curve_at(&o.curve, piece, theta, at);
         plane_cycle_divergence(sys, &o.curve, piece, theta, r->sum);
     }

@@ -67,9 +67,7 @@ struct walk {
     int held;    /* steps in turn in which it hardly moved, and its velocity
                     hardly changed */
     int blurs;   /* steps outside the window that rounding held back */
-    size_t returned, before; /* after the piece on which it returned last, and
-                                the time before that */
-    double first, least;     /* differences of returns: the first, the least */
+    double first, least; /* differences of returns: the first, the least */
     struct taylor_orbit series;
     struct orbit implicit; /* once it is stiff */
     struct windings windings;
@@ -113,6 +111,17 @@ static bool is_blurred(const struct walk *w)
     return w->blurs > TOL_MONITOR_STEPS;
 }
 
+/* The piece on which it returned last. */
+static size_t returned(const struct walk *w)
+{
+    size_t last = 0;
+
+    for (int i = 0; i < WINDING_SECTIONS; i++)
+        if (w->windings.of[i].piece[0] > last)
+            last = w->windings.of[i].piece[0];
+    return last;
+}
+
 /* One piece more; w->stopped where there is none. */
 static enum status step(struct walk *w)
 {
@@ -129,7 +138,7 @@ static enum status step(struct walk *w)
             w->series.bent < TOL_LITTLE && vec2_length(way) < TOL_LITTLE;
         w->held = held ? w->held + 1 : 0;
         if (status == STATUS_NO_CONVERGENCE || w->held > TOL_MONITOR_STEPS ||
-            before > w->returned + TOL_EXPLICIT_STEPS) {
+            before > returned(w) + TOL_EXPLICIT_STEPS) {
             w->stopped = !plane_defined_near(w->plan, w->s, place_of(w),
                                              TOL_PLANE_STILL);
             return !w->stopped && be_implicit(w) == STATUS_NO_MEMORY
@@ -235,17 +244,16 @@ static bool rotates(const struct walk *w, struct plane_goal *out)
                  far = apart(w->s, at[0], at[1]);
     double sum[2] = { 0.0, 0.0 }, start[2] = { 0.0, 0.0 }, z[CURVE_DIM_MAX];
 
-    if (w->stiff || h->count < 3 || w->before == 0 ||
-        !(gap <= TOL_WITHIN && far > TOL_SEEN))
+    if (w->stiff || h->count < 3 || !(gap <= TOL_WITHIN && far > TOL_SEEN))
         return false;
-    for (size_t i = w->before - 1; i + 1 < w->returned; i++) {
+    for (size_t i = h->piece[1] - 1; i + 1 < h->piece[0]; i++) {
         curve_at(curve_of(w), i, 0.0, z);
         if (!is_periodic(w, (struct vec2){ z[0], z[1] }, by))
             return false;
         plane_cycle_divergence(w->system, curve_of(w), i, 1.0, sum);
     }
-    divergence_to(w, w->returned, at[0], sum);
-    divergence_to(w, w->before, at[1], start);
+    divergence_to(w, h->piece[0], at[0], sum);
+    divergence_to(w, h->piece[1], at[1], start);
     const double log_factor = sum[0] - start[0];
     if (!(log_factor < -TOL_SAME * sum[1] &&
           far > 10.0 * fmax(gap, h->off) / -expm1(log_factor)))
@@ -278,8 +286,6 @@ static void look(struct walk *w, const struct vec2 rests[],
         return;
     }
     if (h->count > returns) {
-        w->before = returns > 0 ? w->returned : 0;
-        w->returned = c->count;
         w->lost = has_slipped_past(w);
         if (rotates(w, out))
             return;
