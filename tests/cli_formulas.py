@@ -263,6 +263,8 @@ def what_is_wrong_costs_one_line(room):
     for words, said in (
             (['study', '--ode', "x' = y; y' = sn(x)"], 'did you mean'),
             (['study', '--ode', "x' = y; y' = x"], 'window.x is missing'),
+            (['study', '--ode', "x' = sqrt(x - 5) - y; y' = -y",
+              *DUFFING[2:]], 'no finite value at x = 0, y = 0, nor at 19'),
             (['study', *DUFFING, '--window', 'x=2'], 'x=LO:HI'),
             (['study', *DUFFING, '--law', 'ruina'], 'not beside system'),
             (['push', *DUFFING], 'expected --state x=A,y=B'),

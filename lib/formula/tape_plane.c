@@ -85,7 +85,7 @@ enum status tape_plane_at(const struct tape_lowered *l,
     if (!real_tape_at(&l->t, constant, &out->t) || !tape_jet_slots(out))
         return refuse(why, "the formulas have too many parts");
     if (!is_finite(&out->t))
-        return refuse(why, "a formula has no finite value at this point");
+        return refuse(why, "a formula has no finite value");
     for (int i = 0; i < 2; i++)
         out->origin[i] = (double) anchor[i];
     out->wide = tape_jet_wide();
