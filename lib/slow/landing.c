@@ -271,10 +271,9 @@ static struct landing_slope across_fibre(const struct landing *l,
                                    p->slip_slope * on + off_slope * off };
 }
 
-/* How far beside its fibre it may be: `part` of what that leans and turns;
- * what it turns within a fold, for what falls along e has J e = lambda e + e',
- * the table J's eigenvector, e'/lambda off; and, where fibres turn, that of y
- * may not be the one that led to y. */
+/* How far beside its fibre it may be: `part` of what that leans and turns; how
+ * far off the fibre itself is; and, where fibres turn, that of y may not be the
+ * one that led to y. */
 static double bend_of(const struct landing *l, double y,
                       const struct slow_point *p, double off, double part)
 {
@@ -294,13 +293,13 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     const struct slider *s = l->curve->slider;
     const struct vec2 e = p->fibre;
     const double det = fabs(e.x - e.y * p->x_slope);
-    const double part =
-        TOL_LAYER_BEND * (fabs(off) + p->gap) + unevenness(l, p, off);
-    const double bend = bend_of(l, y, p, off, part) / det;
+    const double uneven = fabs(off) + unevenness(l, p, off);
+    const double bend = bend_of(l, y, p, off, uneven) / det;
     const double wrong = bend + l->across / det;
     const double d = off * e.x, v = exp(s->block.at.x0 + p->x);
     const double more = v / p->fast * d * (1.0 + 0.25 * d);
-    const double unsaid = fabs(more) * part;
+    const double unsaid =
+        fabs(more) * (uneven + TOL_LAYER_BEND * (fabs(off) + p->gap));
     const double time = l->u[LAYER_TIME] + p->time;
     const double slip = l->u[LAYER_SLIP] + p->slip + more;
     const double left = left_of(l, p, off);

@@ -93,6 +93,67 @@ void slow_fit_smooth(struct slow_branch *b)
         k[last].x_bend = k[last - 1].x_bend;
 }
 
+/* How far a fibre is turned from its eigenvector, and how far off that is. */
+struct lag {
+    double angle, wrong;
+};
+
+/* What turns within one fold on the way from f to k. */
+static double turning(const struct slow_knot *f, const struct slow_knot *k)
+{
+    const double turns = f->fibre.x * k->fibre.y - f->fibre.y * k->fibre.x;
+
+    return isfinite(f->gap) && isfinite(k->gap) && k->time[0] < 0.0
+               ? 0.5 * (f->fold + k->fold) * turns / -k->time[0]
+               : 0.0;
+}
+
+/* From g to the knot k before it, where `turn`, first and last, is what turns
+ * within a fold: evenly more or less of it on the way.  What it `changes` by is
+ * not known, the less so in between; nor is what is not linear. */
+static struct lag lag_before(const struct slow_knot *k,
+                             const struct slow_knot *g, const double turn[2],
+                             const double changes[2], struct lag l)
+{
+    const double det =
+        fabs(k->fibre.x - k->fibre.y * k->x_slope) / hypot(1.0, k->x_slope);
+    const double folds = -g->time[0] / k->fold, left = exp(-folds);
+    const double ahead = folds > 0.0 ? (turn[1] - turn[0]) / folds : 0.0;
+
+    return (struct lag){
+        turn[0] + ahead + left * (l.angle - turn[1] - ahead),
+        left * l.wrong + (1.0 + 0.25 * folds) * fmax(changes[0], changes[1]) +
+            0.125 * TOL_SLOW_STEP * folds * fabs(turn[0]) +
+            turn[0] * turn[0] / det,
+    };
+}
+
+void slow_fit_fibres(struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    const size_t last = b->count - 1;
+    double after = turning(&k[last - 1], &k[last]), turn[2] = { after, after };
+    double changes[2] = { 0.0, 0.0 };
+    struct lag lag = { after, fabs(after) };
+
+    for (size_t i = b->count; i-- > 0;) {
+        const struct vec2 e = k[i].fibre;
+        const double before = i > 0 ? turning(&k[i - 1], &k[i]) : after;
+        turn[0] = 0.5 * (before + after);
+        changes[0] = fabs(after - before);
+        if (!isfinite(k[i].gap))
+            lag = (struct lag){ 0.0, 1.0 };
+        else if (i < last)
+            lag = lag_before(&k[i], &k[i + 1], turn, changes, lag);
+        k[i].fibre =
+            (struct vec2){ e.x - lag.angle * e.y, e.y + lag.angle * e.x };
+        k[i].swing = lag.wrong;
+        turn[1] = turn[0];
+        changes[1] = changes[0];
+        after = before;
+    }
+}
+
 /* The curve between two knots. */
 struct between {
     const struct block *block;

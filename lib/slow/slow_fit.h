@@ -11,6 +11,10 @@
  * a knot are still what its step gained, negative. */
 void slow_fit_smooth(struct slow_branch *b);
 
+/* From eigenvectors to fibres, off by what they turn within a fold.  Time of a
+ * knot is still what its step gained. */
+void slow_fit_fibres(struct slow_branch *b);
+
 /* The largest friction on the way to each knot, and the peaks to come.  Where
  * steps are short the curve is better than what they say between their ends,
  * off it, where friction balances gravity.  b->end_aside is known. */

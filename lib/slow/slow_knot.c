@@ -23,6 +23,7 @@ static void split(const struct planar_jacobian *J, double speed,
 
     k->gap = e.im == 0.0 && e.re[0] < 0.0 ? rate / -e.re[0] : HUGE_VAL;
     k->fast = -e.re[0] * exp(J->field.log_scale);
+    k->fold = 1.0 / ((e.re[1] - e.re[0]) * exp(J->field.log_scale));
     k->fibre = mat2_eigenvector(J->matrix, e.re[0]);
     *slow = mat2_eigenvector(J->matrix, e.re[1]);
 }

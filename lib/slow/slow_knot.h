@@ -21,7 +21,10 @@ struct slow_knot {
     double beside;                 /* how far x is off, at this y */
     double fast;                   /* |lambda|, per unit of time */
     double gap;          /* the slow rate over it; HUGE_VAL: not to land on */
-    struct vec2 fibre;   /* unit */
+    double fold;         /* the time in which it gets 1/e nearer the curve than
+                            what follows that does to it */
+    struct vec2 fibre;   /* unit: the eigenvector of |lambda|, then the fibre */
+    double swing;        /* how far off that is, at most */
     double mu, mu_error; /* largest on the way to this knot */
     double mu_y;         /* where that is */
     double x_peak, mu_peak, mu_peak_error; /* from here on */

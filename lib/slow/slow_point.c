@@ -14,10 +14,6 @@ static struct slow_point common(const struct slow_branch *b,
                                 const struct slow_knot *k,
                                 const struct slow_knot *next)
 {
-    const double folds = k->fast * fabs(k->time[0] - next->time[0]);
-    const double turns =
-        fabs(k->fibre.x * next->fibre.y - k->fibre.y * next->fibre.x);
-
     return (struct slow_point){
         .fate = b->fate,
         .time_error = k->time_bar + next->time_error,
@@ -26,8 +22,8 @@ static struct slow_point common(const struct slow_branch *b,
         .fast = k->fast,
         .gap = fmax(k->gap, next->gap),
         .fibre = k->fibre,
-        .turns = turns,
-        .swing = folds > 0.0 ? turns / folds : 0.0,
+        .turns = fabs(k->fibre.x * next->fibre.y - k->fibre.y * next->fibre.x),
+        .swing = fmax(k->swing, next->swing),
         .x_end = b->x_end,
         .x_end_error = b->x_end_error,
         .end_slope = isfinite(b->x_end) ? b->knot[b->count - 1].time[1] : 0.0,

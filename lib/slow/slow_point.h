@@ -18,7 +18,7 @@ struct slow_point {
                                         land on */
     struct vec2 fibre;               /* unit */
     double turns;                    /* how much it does on the interval */
-    double swing;                    /* and during one fold */
+    double swing;                    /* how far off it is, at most */
     double x_end, x_end_error;       /* at arrest; -HUGE_VAL at rest */
     double end_slope;                /* time_slope there; 0 at rest */
     double end_aside;                /* |end_aside.x| of the branch */

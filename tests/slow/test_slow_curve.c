@@ -3,6 +3,7 @@
 
 #include "fault_alloc.h"
 #include "found.h"
+#include "slider.h"
 #include "slope.h"
 #include "stops.h"
 #include "tolerance.h"
@@ -211,6 +212,54 @@ static void a_knot_has_no_number_that_is_none(void **state)
     }
 }
 
+/* What is off along f stays off along it: J f - f' is along f, for the fibre f
+ * in the middle of an interval and its change over that. */
+static int check_fibre(const struct slider *s, const struct slow_branch *b,
+                       const struct slow_knot *k)
+{
+    const double y = 0.5 * (k[0].y + k[1].y);
+    const double took = k[0].time[0] - k[1].time[0];
+    struct planar_jacobian J;
+    struct slow_point p;
+
+    if (!isfinite(k[0].gap) || !isfinite(k[1].gap) || !slow_point_at(b, y, &p))
+        return 0;
+    s->plane.system.jacobian(s->plane.system.ctx, (struct vec2){ p.x, y }, &J);
+    const struct mat2 A = J.matrix;
+    const struct eigen2 e = mat2_eigenvalues(A);
+    const double scale = exp(J.field.log_scale), x = p.fibre.x, v = p.fibre.y;
+    const double x1 = (k[1].fibre.x - k[0].fibre.x) / took,
+                 v1 = (k[1].fibre.y - k[0].fibre.y) / took;
+    const double apart = x * (scale * (A.yx * x + A.yy * v) - v1) -
+                         v * (scale * (A.xx * x + A.xy * v) - x1);
+    const double off = fabs(apart) / (scale * (e.re[1] - e.re[0]));
+
+    CHECK(off <= p.swing + 1e-14, "y %g: %g, not within %g", y, off, p.swing);
+    return p.swing > 1e-14 && p.swing < 0.1 * p.turns;
+}
+
+static void fibres_lead_to_fibres(void **state)
+{
+    static const char *const of[][2] = { { "spinodal_gen", "0.34" },
+                                         { "spinodal", "0.30" },
+                                         { "spinodal_phi_gen", "0.38" },
+                                         { "dieterich_gen", "0.34" } };
+    int told = 0;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct slow_curve c;
+        struct slope s;
+        make(&c, &s, of[i][0], of[i][1]);
+        for (size_t n = 0; n < c.branches; n++)
+            for (size_t k = 0; k + 1 < c.branch[n].count; k++)
+                told += check_fibre(&s.study.slider, &c.branch[n],
+                                    &c.branch[n].knot[k]);
+        drop(&c, &s);
+    }
+    CHECK(told > 100, "%d", told);
+}
+
 static void a_monitor_stops_it(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
@@ -253,6 +302,7 @@ int main(void)
         cmocka_unit_test(beside_the_saddle_slip_grows_evenly),
         cmocka_unit_test(it_leads_on_where_blocks_never_quite_stop),
         cmocka_unit_test(a_knot_has_no_number_that_is_none),
+        cmocka_unit_test(fibres_lead_to_fibres),
         cmocka_unit_test(a_monitor_stops_it),
         cmocka_unit_test(every_allocation_may_fail),
     };
