@@ -148,10 +148,7 @@ RESULT_VIEW(view_count, plane_study, &s->count, 1)
 RESULT_VIEW(view_share, plane_study, &s->rest[k], 1)
 RESULT_VIEW(view_elsewhere, plane_study, &s->basin.elsewhere, 1)
 
-static size_t count_rests(const void *run)
-{
-    return ((const struct plane_study *) run)->listed;
-}
+RESULT_COUNT(count_rests, plane_study, s->listed)
 
 static const struct record_type record_count = RECORD(
     plane_count, "count", "how many there are",

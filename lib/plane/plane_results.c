@@ -23,20 +23,9 @@ RESULT_VIEW(view_no_box, plane_study, s->undecided, 0)
 RESULT_VIEW(view_box_x, plane_study, s->undecided[k].range[0], 2)
 RESULT_VIEW(view_box_y, plane_study, s->undecided[k].range[1], 2)
 
-static size_t count_rests(const void *run)
-{
-    return ((const struct plane_study *) run)->listed;
-}
-
-static size_t count_boxes(const void *run)
-{
-    return ((const struct plane_study *) run)->undecided_count;
-}
-
-static size_t count_of_complete(const void *run)
-{
-    return !((const struct plane_study *) run)->complete;
-}
+RESULT_COUNT(count_rests, plane_study, s->listed)
+RESULT_COUNT(count_boxes, plane_study, s->undecided_count)
+RESULT_COUNT(count_of_complete, plane_study, !s->complete)
 
 static const char fewer[] = "there are fewer equilibria";
 
@@ -254,23 +243,9 @@ static void add_manifolds(const struct plane_study *s, struct plane_table *t)
     r->view = view_branches;
 }
 
-static size_t count_branches(const void *run)
-{
-    return ((const struct plane_study *) run)->listed_branches;
-}
+RESULT_COUNT(count_branches, plane_study, s->listed_branches)
 
-/* Points that are sampled for the view. */
-#define ROWS(function, sampled)                                                \
-    static enum status function(const void *run, size_t k,                     \
-                                struct result_view *out)                       \
-    {                                                                          \
-        const struct plane_study *s = run;                                     \
-        struct rows r = rows_of(out->records.type);                            \
-        (void) k;                                                              \
-        return rows_lend(out, &r, sampled);                                    \
-    }
-
-ROWS(view_branch, plane_rows_branch(s, &s->branch[k], &r))
+ROWS_VIEW(view_branch, plane_study, plane_rows_branch(s, &s->branch[k], &r))
 
 /* "/manifold/{saddle_0/stable_0,saddle_0/stable_1,...}" */
 static const char *branch_paths(const struct plane_study *s,
@@ -319,25 +294,16 @@ static void add_branches(const struct plane_study *s, struct plane_table *t,
 
 /* ---- portrait ------------------------------------------------------------ */
 
-static size_t count_x(const void *run)
-{
-    return ((const struct plane_study *) run)->portrait.nullcline[0].count;
-}
+RESULT_COUNT(count_x, plane_study, s->portrait.nullcline[0].count)
+RESULT_COUNT(count_y, plane_study, s->portrait.nullcline[1].count)
+RESULT_COUNT(count_tracks, plane_study, s->portrait.trajectories.count)
 
-static size_t count_y(const void *run)
-{
-    return ((const struct plane_study *) run)->portrait.nullcline[1].count;
-}
-
-static size_t count_tracks(const void *run)
-{
-    return ((const struct plane_study *) run)->portrait.trajectories.count;
-}
-
-ROWS(view_x, plane_rows_nullcline(s, &s->portrait.nullcline[0].piece[k], &r))
-ROWS(view_y, plane_rows_nullcline(s, &s->portrait.nullcline[1].piece[k], &r))
-ROWS(view_track, plane_rows_trajectory(s, k, &r))
-ROWS(view_arrows, plane_rows_arrows(s, &r))
+ROWS_VIEW(view_x, plane_study,
+          plane_rows_nullcline(s, &s->portrait.nullcline[0].piece[k], &r))
+ROWS_VIEW(view_y, plane_study,
+          plane_rows_nullcline(s, &s->portrait.nullcline[1].piece[k], &r))
+ROWS_VIEW(view_track, plane_study, plane_rows_trajectory(s, k, &r))
+ROWS_VIEW(view_arrows, plane_study, plane_rows_arrows(s, &r))
 
 static void add_nullclines(const struct plane_study *s, struct plane_table *t)
 {

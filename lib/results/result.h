@@ -106,6 +106,14 @@ static inline enum status result_lend(struct result_view *out, const void *at,
         return (here_) ? lends : STATUS_OK;                                    \
     }
 
+/* How many there are in a struct *s, the run. */
+#define RESULT_COUNT(function, struct_, count_)                                \
+    static size_t function(const void *run)                                    \
+    {                                                                          \
+        const struct struct_ *s = run;                                         \
+        return count_;                                                         \
+    }
+
 /* Whether the run was asked for it. */
 static inline bool result_asked(const struct result *r,
                                 const struct results *all)

@@ -20,3 +20,14 @@ MUST_CHECK enum status rows_push(struct rows *r, const void *row);
 /* Lends rows, which the view then owns, if they could be sampled. */
 MUST_CHECK enum status rows_lend(struct result_view *out, struct rows *r,
                                  enum status sampled);
+
+/* A view of a struct *s, the run, that fills rows r of its type. */
+#define ROWS_VIEW(function, struct_, sampled)                                  \
+    static enum status function(const void *run, size_t k,                     \
+                                struct result_view *out)                       \
+    {                                                                          \
+        const struct struct_ *s = run;                                         \
+        struct rows r = rows_of(out->records.type);                            \
+        (void) k;                                                              \
+        return rows_lend(out, &r, sampled);                                    \
+    }

@@ -145,16 +145,8 @@ const struct record_type record_accuracy = RECORD(
     FIELD(accuracy, REAL, cell_arrest, "1",
           "a state has arrived this near to a node, in ln v and in ln psi"));
 
-static enum status view_accuracy(const void *run, size_t k,
-                                 struct result_view *out)
-{
-    const double rtol = ((const struct study *) run)->fields.rtol;
-    struct rows r = rows_of(&record_accuracy);
-
-    (void) k;
-    return rows_lend(out, &r,
-                     rows_push(&r, &(struct accuracy){ rtol, TOL_ARREST }));
-}
+ROWS_VIEW(view_accuracy, study,
+          rows_push(&r, &(struct accuracy){ s->fields.rtol, TOL_ARREST }))
 
 /* ---- shares and audit ---------------------------------------------------- */
 

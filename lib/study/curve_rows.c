@@ -299,44 +299,14 @@ const struct result manifold_results[] = {
     { .path = NULL },
 };
 
-static size_t count_v(const void *run)
-{
-    return ((const struct study *) run)->portrait.nullcline[0].count;
-}
+RESULT_COUNT(count_v, study, s->portrait.nullcline[0].count)
+RESULT_COUNT(count_psi, study, s->portrait.nullcline[1].count)
 
-static size_t count_psi(const void *run)
-{
-    return ((const struct study *) run)->portrait.nullcline[1].count;
-}
-
-static enum status view_nullcline(const struct study *s, int which, size_t k,
-                                  struct result_view *out)
-{
-    struct rows r = rows_of(&record_nullcline);
-
-    return rows_lend(
-        out, &r,
-        curve_rows_nullcline(s, &s->portrait.nullcline[which].piece[k], &r));
-}
-
-static enum status view_v(const void *run, size_t k, struct result_view *out)
-{
-    return view_nullcline(run, 0, k, out);
-}
-
-static enum status view_psi(const void *run, size_t k, struct result_view *out)
-{
-    return view_nullcline(run, 1, k, out);
-}
-
-static enum status view_arrows(const void *run, size_t k,
-                               struct result_view *out)
-{
-    struct rows r = rows_of(&record_arrow);
-
-    (void) k;
-    return rows_lend(out, &r, curve_rows_arrows(run, &r));
-}
+ROWS_VIEW(view_v, study,
+          curve_rows_nullcline(s, &s->portrait.nullcline[0].piece[k], &r))
+ROWS_VIEW(view_psi, study,
+          curve_rows_nullcline(s, &s->portrait.nullcline[1].piece[k], &r))
+ROWS_VIEW(view_arrows, study, curve_rows_arrows(s, &r))
 
 /* Number k of those with points: chosen starts, then spread ones; NULL. */
 static const struct trajectory *track(const struct study *s, size_t k)
@@ -360,14 +330,7 @@ static size_t count_tracks(const void *run)
     return n;
 }
 
-static enum status view_track(const void *run, size_t k,
-                              struct result_view *out)
-{
-    struct rows r = rows_of(&record_trajectory);
-
-    return rows_lend(out, &r,
-                     curve_rows_trajectory(run, &track(run, k)->curve, &r));
-}
+ROWS_VIEW(view_track, study, curve_rows_trajectory(s, &track(s, k)->curve, &r))
 
 const struct record_type record_run_end = RECORD(
     run_end, "run_end", "how an orbit ended",

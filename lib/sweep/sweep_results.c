@@ -33,10 +33,7 @@ uint64_t sweep_asked(const struct scene *scene)
 /* ---- of the study -------------------------------------------------------- */
 
 /* One for each xi of the scene. */
-static size_t count_xi(const void *run)
-{
-    return ((const struct sweep_point *) run)->scene.xi_count;
-}
+RESULT_COUNT(count_xi, sweep_point, s->scene.xi_count)
 
 RESULT_VIEW(view_xi, sweep_point, &s->study.estimates.xi[k], 1)
 RESULT_VIEW(view_terms, sweep_point, s->study.taylor.term, JET_SIZE)
