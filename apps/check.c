@@ -372,8 +372,7 @@ static enum status write_baseline(const struct options *o,
         fputs(b->text, stdout);
     if (fflush(stdout) == 0 && !ferror(stdout))
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "cannot write to standard output");
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "cannot write to standard output");
 }
 
 static enum exit_code record(const struct options *o)

@@ -75,8 +75,7 @@ enum status command_read(const struct options *o, char *const more[],
 enum status command_refuse(struct fault *why, const char *format,
                            const char *text)
 {
-    snprintf(why->text, sizeof why->text, format, text_shown(text).text);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, format, text_shown(text).text);
 }
 
 enum exit_code command_fail(enum status s, const char *text)

@@ -39,19 +39,18 @@ struct rerun {
 static enum status check_command(const char *path, const char *name,
                                  struct fault *why)
 {
-    if (strcmp(name, "push") == 0) {
-        snprintf(why->text, sizeof why->text,
-                 "%.300s: a file of push has its states in /push, not in its "
-                 "scene, expected push --states",
-                 path);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (strcmp(name, "push") == 0)
+        return fault_set(
+            why, STATUS_BAD_ARGUMENT,
+            "%.300s: a file of push has its states in /push, not in its "
+            "scene, expected push --states",
+            path);
     if (strcmp(name, "stress") != 0 && strcmp(name, "workprec") != 0)
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text,
-             "%.300s: a file of %s holds times, which no second run repeats",
-             path, name);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(
+        why, STATUS_BAD_ARGUMENT,
+        "%.300s: a file of %s holds times, which no second run repeats", path,
+        name);
 }
 
 static enum status read_file(struct rerun *r, struct fault *why)
@@ -63,8 +62,7 @@ static enum status read_file(struct rerun *r, struct fault *why)
     r->command = command_find(r->origin.command);
     if (r->command)
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "%.300s: damaged", r->given);
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%.300s: damaged", r->given);
 }
 
 /* ---- making it again ----------------------------------------------------- */
@@ -79,9 +77,8 @@ static enum status make_folder(struct rerun *r, struct fault *why)
     snprintf(r->folder, FOLDER, "%s/slipway-XXXXXX", base);
     if (mkdtemp(r->folder) == NULL) {
         r->folder[0] = '\0';
-        snprintf(why->text, sizeof why->text, "%s: cannot make a folder there",
-                 base);
-        return STATUS_IO;
+        return fault_set(why, STATUS_IO, "%s: cannot make a folder there",
+                         base);
     }
     snprintf(r->path, PATH, "%s/again.h5", r->folder);
     snprintf(r->scene_path, PATH, "%s/scene.yaml", r->folder);
@@ -124,9 +121,8 @@ static enum status set_options(struct rerun *r, struct options *o, char *output,
     o->set[o->sets++] = output;
     if (*line == '\0')
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "%.300s: too many overrides",
-             r->given);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "%.300s: too many overrides",
+                     r->given);
 }
 
 /* The command complains itself. */

@@ -66,6 +66,5 @@ enum status origin_read(const char *path, origin_suits *suits,
         return STATUS_OK;
     }
     free(o.held);
-    snprintf(why->text, sizeof why->text, "%.300s: damaged", path);
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%.300s: damaged", path);
 }

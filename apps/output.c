@@ -21,8 +21,7 @@ bool panel_path(const char *path, const char *panel, char out[PANEL_PATH])
 
 static enum status refuse(struct fault *why, const char *what, const char *text)
 {
-    snprintf(why->text, sizeof why->text, "%.300s: %s", what, text);
-    return STATUS_BAD_SCENE;
+    return fault_set(why, STATUS_BAD_SCENE, "%.300s: %s", what, text);
 }
 
 static bool is_same_file(const char *a, const char *b)

@@ -31,9 +31,9 @@ enum status part_parse(const char *text, struct part *out, struct fault *why)
 {
     if (read_part(text, "/", out))
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text,
-             "--shard %.40s: expected I/N with 1 <= I <= N, such as 3/8", text);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(
+        why, STATUS_BAD_ARGUMENT,
+        "--shard %.40s: expected I/N with 1 <= I <= N, such as 3/8", text);
 }
 
 char *part_path(const char *path, struct part part)

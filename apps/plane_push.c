@@ -77,11 +77,11 @@ enum status plane_push_read(const struct scene *s, const char *text,
     free(copy);
     if (copy == NULL || (known[0] && known[1] && !known[2]))
         return copy ? STATUS_OK : STATUS_NO_MEMORY;
-    snprintf(why->text, sizeof why->text,
-             "push: %s%.60s, expected --state %s=A,%s=B, each %s",
-             text ? "--state " : "no state", text ? text : "", name_of(s, 0),
-             name_of(s, 1), expected(s, !known[1] && known[0]));
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT,
+                     "push: %s%.60s, expected --state %s=A,%s=B, each %s",
+                     text ? "--state " : "no state", text ? text : "",
+                     name_of(s, 0), name_of(s, 1),
+                     expected(s, !known[1] && known[0]));
 }
 
 static enum status read_many(struct job *j, const char *path, struct fault *why)

@@ -245,9 +245,8 @@ static enum status check_states(const struct job *j, struct fault *why)
             return place_blame(
                 table_place(&j->table, table_at(&j->table, i, 0)), why,
                 "v = %g, psi = %g, %s", at.v, at.psi, expected);
-        snprintf(why->text, sizeof why->text, "push: v = %g, psi = %g, %s",
-                 at.v, at.psi, expected);
-        return STATUS_BAD_ARGUMENT;
+        return fault_set(why, STATUS_BAD_ARGUMENT, "push: v = %g, psi = %g, %s",
+                         at.v, at.psi, expected);
     }
     return STATUS_OK;
 }
@@ -318,10 +317,9 @@ static enum status kick(struct job *j, struct fault *why)
     struct scene_start at;
     const char *reason;
 
-    if (!kick_state(&j->push.slider, &j->kick, &at, &reason)) {
-        snprintf(why->text, sizeof why->text, "push: --from creep: %s", reason);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (!kick_state(&j->push.slider, &j->kick, &at, &reason))
+        return fault_set(why, STATUS_BAD_ARGUMENT, "push: --from creep: %s",
+                         reason);
     j->state[0] = (struct push_state){ at.v, at.psi };
     return STATUS_OK;
 }

@@ -237,9 +237,9 @@ struct job {
 static enum status usage(struct fault *why, const char *option,
                          const char *text, const char *expected)
 {
-    snprintf(why->text, sizeof why->text, "export: %s%s%s: expected %s", option,
-             text ? " " : "", text ? text_shown(text).text : "", expected);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "export: %s%s%s: expected %s",
+                     option, text ? " " : "", text ? text_shown(text).text : "",
+                     expected);
 }
 
 /* The words themselves are known to be of the table of options. */
@@ -345,19 +345,17 @@ static enum status check_study(const struct job *j, struct fault *why)
 {
     const struct study *s = &j->study;
 
-    if (j->to_auto && s->slider.plane.equilibria == 0) {
-        snprintf(why->text, sizeof why->text,
-                 "export: there is no steady state at this slope for AUTO to "
-                 "start from");
-        return STATUS_NOT_HYPERBOLIC;
-    }
+    if (j->to_auto && s->slider.plane.equilibria == 0)
+        return fault_set(
+            why, STATUS_NOT_HYPERBOLIC,
+            "export: there is no steady state at this slope for AUTO to "
+            "start from");
     if (!j->to_auto && j->form == XPPAUT_ARCLENGTH &&
-        !slider_has_manifolds(&s->slider)) {
-        snprintf(why->text, sizeof why->text,
-                 "export: --form arclength: %s (--form time needs none)",
-                 s->slider.critical.v_plus.reason);
-        return STATUS_NOT_HYPERBOLIC;
-    }
+        !slider_has_manifolds(&s->slider))
+        return fault_set(
+            why, STATUS_NOT_HYPERBOLIC,
+            "export: --form arclength: %s (--form time needs none)",
+            s->slider.critical.v_plus.reason);
     return STATUS_OK;
 }
 

@@ -147,8 +147,7 @@ struct gallery {
 static enum status complain(struct fault *why, enum status s, const char *path,
                             const char *what)
 {
-    snprintf(why->text, sizeof why->text, "gallery: %.400s: %s", path, what);
-    return s;
+    return fault_set(why, s, "gallery: %.400s: %s", path, what);
 }
 
 /* ---- where --------------------------------------------------------------- */

@@ -16,11 +16,9 @@ static enum status convert(const struct options *o, char **scene,
     char *text = NULL;
     size_t size;
 
-    if (o->files == 0) {
-        snprintf(why->text, sizeof why->text,
-                 "import: expected a model, NAME.ode");
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (o->files == 0)
+        return fault_set(why, STATUS_BAD_ARGUMENT,
+                         "import: expected a model, NAME.ode");
     const char *file = output_path(o);
     enum status s = output_standard_check(o, why);
     if (s == STATUS_OK && file)

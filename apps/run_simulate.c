@@ -305,11 +305,9 @@ static enum status picture_simulation_check(const struct simulation *s,
 
     for (size_t k = 0; k < s->runs; k++)
         any |= s->run[k].curve.count > 0;
-    if (!any) {
-        snprintf(why->text, sizeof why->text, "%.300s: no run has a length",
-                 s->scene.figure);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (!any)
+        return fault_set(why, STATUS_BAD_ARGUMENT,
+                         "%.300s: no run has a length", s->scene.figure);
     return STATUS_OK;
 }
 

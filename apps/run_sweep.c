@@ -128,8 +128,7 @@ static enum status sweep_csv(FILE *out, const struct sweep *s)
 
 static enum status complain(struct fault *why, const char *text)
 {
-    snprintf(why->text, sizeof why->text, "sweep: %s", text);
-    return STATUS_BAD_SCENE;
+    return fault_set(why, STATUS_BAD_SCENE, "sweep: %s", text);
 }
 
 /* ---- the scene ----------------------------------------------------------- */

@@ -35,11 +35,11 @@ static enum status is_of(const char *path, const char *command,
 {
     if (strcmp(command, expected) == 0)
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text,
-             "%.300s: made by %.40s, expected a file of this %s (without "
-             "--resume it is replaced)",
-             path, command, expected);
-    return STATUS_BAD_SCENE;
+    return fault_set(
+        why, STATUS_BAD_SCENE,
+        "%.300s: made by %.40s, expected a file of this %s (without "
+        "--resume it is replaced)",
+        path, command, expected);
 }
 
 static enum status is_sweep(const char *path, const char *command,
@@ -87,11 +87,10 @@ static enum status side_file_check(const struct options *o,
                                    const char *journal,
                                    const char *const panel[], struct fault *why)
 {
-    if (o->resume && c->hdf5 == NULL) {
-        snprintf(why->text, sizeof why->text,
-                 "%s: --resume without a file, expected -o FILE.h5", command);
-        return STATUS_BAD_SCENE;
-    }
+    if (o->resume && c->hdf5 == NULL)
+        return fault_set(why, STATUS_BAD_SCENE,
+                         "%s: --resume without a file, expected -o FILE.h5",
+                         command);
     const enum status s = output_check(o, c, c->figure, panel, why);
     return s == STATUS_OK && o->resume && access(journal, F_OK) != 0 &&
                    access(c->hdf5, F_OK) == 0

@@ -21,17 +21,15 @@ enum status state_read(const struct options *o, const struct scene *s,
     const char *wrong, *command = o->command->name;
     char expected[128];
 
-    if (o->v == NULL || (o->psi == NULL && o->phi == NULL)) {
-        snprintf(why->text, sizeof why->text, "%s: no state, expected %s%s",
-                 command, o->v ? "--psi or --phi" : "--v",
-                 o->v ? " beside --v" : " and --psi");
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (o->v == NULL || (o->psi == NULL && o->phi == NULL))
+        return fault_set(why, STATUS_BAD_ARGUMENT,
+                         "%s: no state, expected %s%s", command,
+                         o->v ? "--psi or --phi" : "--v",
+                         o->v ? " beside --v" : " and --psi");
     if (scene_state_read(s, &text, out, &wrong, expected))
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "%s: %s %s: %s", command,
-             name_of(o, wrong), text_shown(wrong).text, expected);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "%s: %s %s: %s", command,
+                     name_of(o, wrong), text_shown(wrong).text, expected);
 }
 
 void state_setting(const struct options *o, const char *key, char *text,

@@ -121,10 +121,10 @@ enum status fields_prepare(struct fields *f, const struct basin_map *m,
     enum status status = fast_cells_init(&f->fast, m->slider, monitor);
     if (status == STATUS_OK)
         status = plan_map(f, monitor);
-    if (status != STATUS_OK)
-        snprintf(why->text, sizeof why->text, "the fields of the cells: %s",
-                 status_text(status));
-    return status;
+    return status != STATUS_OK
+               ? fault_set(why, status, "the fields of the cells: %s",
+                           status_text(status))
+               : status;
 }
 
 void fields_free(struct fields *f)

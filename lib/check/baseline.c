@@ -239,17 +239,16 @@ static enum status add_system(struct baseline *b, const char *name,
 enum status baseline_add(struct baseline *b, const char *name,
                          const struct scene *scene, struct fault *why)
 {
-    if (b->of_system || (scene->system && b->rows > 0)) {
-        snprintf(why->text, sizeof why->text,
-                 "%.300s: a table holds laws, or one system alone", name);
-        return STATUS_BAD_SCENE;
-    }
+    if (b->of_system || (scene->system && b->rows > 0))
+        return fault_set(why, STATUS_BAD_SCENE,
+                         "%.300s: a table holds laws, or one system alone",
+                         name);
     const enum status status = scene->system ? add_system(b, name, scene, why)
                                              : add_scene(b, name, scene, why);
 
-    if (status == STATUS_NO_MEMORY)
-        snprintf(why->text, sizeof why->text, "%s", status_text(status));
-    return status;
+    return status == STATUS_NO_MEMORY
+               ? fault_set(why, status, "%s", status_text(status))
+               : status;
 }
 
 void baseline_free(struct baseline *b)

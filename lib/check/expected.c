@@ -332,9 +332,8 @@ enum status expected_read(struct expected *s, const struct table *t,
     s->column = malloc(t->columns * sizeof *s->column);
     if (status != STATUS_OK || s->column == NULL) {
         expected_free(s);
-        snprintf(why->text, sizeof why->text, "%s",
-                 status_text(STATUS_NO_MEMORY));
-        return STATUS_NO_MEMORY;
+        return fault_set(why, STATUS_NO_MEMORY, "%s",
+                         status_text(STATUS_NO_MEMORY));
     }
     status = read_header(s, why);
     if (status == STATUS_OK && s->columns == 0)

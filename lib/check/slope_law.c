@@ -83,7 +83,6 @@ enum status slope_law_read(const char *cell, enum friction_form form,
     free(text);
     if (good)
         return law_typed_make(t, &wrong, why);
-    snprintf(why->text, sizeof why->text,
-             "expected a preset, or NAME = FORMULA with ; between");
-    return STATUS_BAD_SCENE;
+    return fault_set(why, STATUS_BAD_SCENE,
+                     "expected a preset, or NAME = FORMULA with ; between");
 }

@@ -1,5 +1,7 @@
 #include "status.h"
 
+#include <stdarg.h>
+
 const char *status_text(enum status s)
 {
 #define STATUS_AS_CASE(name, text)                                             \
@@ -12,4 +14,15 @@ const char *status_text(enum status s)
     }
 #undef STATUS_AS_CASE
     return "not a status";
+}
+
+enum status fault_set(struct fault *why, enum status s, const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    /* into a string, which takes no <stdio.h> */
+    __builtin_vsnprintf(why->text, sizeof why->text, format, list);
+    va_end(list);
+    return s;
 }

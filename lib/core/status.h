@@ -34,3 +34,7 @@ const char *status_text(enum status s);
 struct fault {
     char text[512];
 };
+
+/* Its text as printf makes it; returns s. */
+enum status fault_set(struct fault *why, enum status s, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));

@@ -12,9 +12,8 @@
 enum status batch_keys_blame(struct fault *why, const char *name,
                              const char *what)
 {
-    snprintf(why->text, sizeof why->text, "%s: %s", text_shown(name).text,
-             what);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "%s: %s", text_shown(name).text,
+                     what);
 }
 
 static enum status check_key(const struct batch *b, size_t k, struct fault *why)

@@ -80,11 +80,8 @@ static enum status open_hidden(struct spool *s, uint64_t key, size_t size,
     snprintf(path, sizeof path, "%.480s/slipway-XXXXXX",
              folder && *folder ? folder : "/tmp");
     const int file = mkstemp(path);
-    if (file < 0) {
-        snprintf(why->text, sizeof why->text, "%.480s: %s", path,
-                 strerror(errno));
-        return STATUS_IO;
-    }
+    if (file < 0)
+        return fault_set(why, STATUS_IO, "%.480s: %s", path, strerror(errno));
     close(file);
     const enum status status = sweep_journal_open(
         &s->journal, path, key, size, false, rows, reasons, &replaced, why);

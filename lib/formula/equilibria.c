@@ -121,11 +121,10 @@ static enum status search(struct equilibrium_search *s,
 
     if (status != STATUS_OK)
         return status;
-    if (!equations_make(&s->e, p->f, p->state, p->rate, p->value)) {
-        snprintf(why->text, sizeof why->text,
-                 "the equations have more than %d parts", FORMULA_NODES);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (!equations_make(&s->e, p->f, p->state, p->rate, p->value))
+        return fault_set(why, STATUS_BAD_ARGUMENT,
+                         "the equations have more than %d parts",
+                         FORMULA_NODES);
     status = interval_plan(&s->equation, &s->e.graph, s->e.variable,
                            s->e.equation, 2, s->e.value, why);
     if (status == STATUS_OK)

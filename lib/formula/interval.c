@@ -131,11 +131,9 @@ enum status interval_plan(struct interval_plan *p, const struct formula *f,
     mark(f, result, results, needed);
     for (int i = 0; i < f->nodes; i++) {
         const char *wrong = needed[i] ? add_node(p, i, value[i]) : NULL;
-        if (wrong) {
-            snprintf(why->text, sizeof why->text, "%s %s", name_of(&f->node[i]),
-                     wrong);
-            return STATUS_BAD_ARGUMENT;
-        }
+        if (wrong)
+            return fault_set(why, STATUS_BAD_ARGUMENT, "%s %s",
+                             name_of(&f->node[i]), wrong);
     }
     return STATUS_OK;
 }

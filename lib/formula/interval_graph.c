@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "quad.h"
-
 /* Newton's method doubles the digits, from one or so to 256 bits in eight, and
  * falls by 1 at first where k < 0 is large, which nothing asks for. */
 enum { LAMBERT_STEPS = 16 };
@@ -233,10 +231,9 @@ enum status interval_graph_run(struct interval_graph *g, struct fault *why)
         const bool made = make(g, g->node[i]);
         if (made && mpfi_bounded_p(value_of(g, g->node[i])))
             continue;
-        snprintf(why->text, sizeof why->text, "%s %s", name,
-                 made ? "of a constant has no finite value"
-                      : "has no rule for proofs");
-        return STATUS_BAD_ARGUMENT;
+        return fault_set(why, STATUS_BAD_ARGUMENT, "%s %s", name,
+                         made ? "of a constant has no finite value"
+                              : "has no rule for proofs");
     }
     return STATUS_OK;
 }

@@ -1,7 +1,6 @@
 /* Rates as mantissas and exponents. */
 #include "tape.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "lower.h"
@@ -188,9 +187,8 @@ static enum status answer(const struct lowering *L, struct fault *why)
 {
     if (!L->s.failed && !L->s.f->full)
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "the formula cannot be used: %s",
-             L->s.failed ? L->s.failed : "it has too many parts");
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "the formula cannot be used: %s",
+                     L->s.failed ? L->s.failed : "it has too many parts");
 }
 
 enum status tape_lower(struct tape *t, struct formula *f,

@@ -50,8 +50,7 @@ static bool is_finite(const struct real_tape *t)
 
 static enum status refuse(struct fault *why, const char *text)
 {
-    snprintf(why->text, sizeof why->text, "%s", text);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "%s", text);
 }
 
 /* By way of 113 bits where long doubles lose digits. */

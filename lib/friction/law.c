@@ -213,8 +213,7 @@ void law_formula(const struct law *law, char *text, size_t size)
 
 static enum status refuse(struct fault *why, const char *text)
 {
-    snprintf(why->text, sizeof why->text, "%s", text);
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(why, STATUS_BAD_ARGUMENT, "%s", text);
 }
 
 static enum status check_composition(const struct law *law,
@@ -225,14 +224,12 @@ static enum status check_composition(const struct law *law,
         return isinf(m->R) && law_uses(law, MATERIAL_R)
                    ? refuse(why, "R must be finite in a law of formulas")
                    : STATUS_OK;
-    if (law_timescale(law)->ln_psi_ss && law->psi_ss == PSI_SS_MINUS_LOG) {
-        snprintf(why->text, sizeof why->text,
-                 "timescale %s is %s and needs psi_ss > 0, but psi_ss is "
-                 "minus_log",
-                 timescale_names[law->timescale],
-                 timescale_formula[law->timescale]);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (law_timescale(law)->ln_psi_ss && law->psi_ss == PSI_SS_MINUS_LOG)
+        return fault_set(
+            why, STATUS_BAD_ARGUMENT,
+            "timescale %s is %s and needs psi_ss > 0, but psi_ss is "
+            "minus_log",
+            timescale_names[law->timescale], timescale_formula[law->timescale]);
     const bool composite = law->kinetics == KINETICS_COMPOSITE;
     if (composite != (law->psi_ss == PSI_SS_LAMBERT) ||
         (composite &&
@@ -261,13 +258,12 @@ enum status law_check(const struct law *law, const struct material *m,
             continue;
         if (!law_uses(law, (enum material_key) key))
             continue;
-        snprintf(why->text, sizeof why->text, "%s = %.17g must be %s",
-                 keys[key].name, value,
-                 key == MATERIAL_MU_STAR ? "finite"
-                 : may_be_zero           ? "zero or positive, and finite"
-                 : key == MATERIAL_R     ? "positive"
-                                         : "positive and finite");
-        return STATUS_BAD_ARGUMENT;
+        return fault_set(why, STATUS_BAD_ARGUMENT, "%s = %.17g must be %s",
+                         keys[key].name, value,
+                         key == MATERIAL_MU_STAR ? "finite"
+                         : may_be_zero       ? "zero or positive, and finite"
+                         : key == MATERIAL_R ? "positive"
+                                             : "positive and finite");
     }
     return check_composition(law, m, why);
 }

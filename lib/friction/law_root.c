@@ -4,7 +4,6 @@
 #include "law_graph.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "newton.h"
 #include "quad.h"
@@ -73,11 +72,11 @@ formula_real law_root_quad(struct law_quad *p, formula_real x)
 
 static enum status refuse(struct fault *why, const char *what, long double x)
 {
-    snprintf(why->text, sizeof why->text,
-             "%s at v = %.3Lg, expected one psi at which it is 0 and to which "
-             "psi comes, or psi_ss",
-             what, expl(x));
-    return STATUS_BAD_SCENE;
+    return fault_set(
+        why, STATUS_BAD_SCENE,
+        "%s at v = %.3Lg, expected one psi at which it is 0 and to which "
+        "psi comes, or psi_ss",
+        what, expl(x));
 }
 
 /* Signs of the rate from far below to far above psi = 1/v: what turns where. */

@@ -23,8 +23,7 @@ static enum law_part part_of(const char *name)
 
 static enum status lack(struct fault *why, const char *text)
 {
-    snprintf(why->text, sizeof why->text, "%s", text);
-    return STATUS_BAD_SCENE;
+    return fault_set(why, STATUS_BAD_SCENE, "%s", text);
 }
 
 static enum status check_parts(const struct law_typed *t, struct fault *why)

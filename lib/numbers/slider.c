@@ -114,11 +114,11 @@ enum status slider_check(const struct slider *s, struct fault *why)
         const double *scaled = s->plane.equilibrium[i].scaled;
         if (!isnan(scaled[0]) && !isnan(scaled[1]))
             continue;
-        snprintf(why->text, sizeof why->text,
-                 "the law has no slope at its steady state v = %g, psi = %g: a "
-                 "formula has no real value there",
-                 s->steady[i].v.value, s->steady[i].psi.value);
-        return STATUS_NOT_HYPERBOLIC;
+        return fault_set(
+            why, STATUS_NOT_HYPERBOLIC,
+            "the law has no slope at its steady state v = %g, psi = %g: a "
+            "formula has no real value there",
+            s->steady[i].v.value, s->steady[i].psi.value);
     }
     return STATUS_OK;
 }

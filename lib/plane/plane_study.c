@@ -315,11 +315,10 @@ static enum status run(struct plane_study *s, const struct monitor *monitor,
 {
     enum status status = STATUS_OK;
 
-    if (s->scene->system->observables > PLANAR_OBSERVABLES_MAX) {
-        snprintf(why->text, sizeof why->text,
-                 "system.observables: more than %d", PLANAR_OBSERVABLES_MAX);
-        return STATUS_BAD_SCENE;
-    }
+    if (s->scene->system->observables > PLANAR_OBSERVABLES_MAX)
+        return fault_set(why, STATUS_BAD_SCENE,
+                         "system.observables: more than %d",
+                         PLANAR_OBSERVABLES_MAX);
     s->lowered = malloc(sizeof *s->lowered);
     s->plane = calloc(2, sizeof *s->plane);
     if (s->lowered == NULL || s->plane == NULL)

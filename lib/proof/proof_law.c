@@ -175,9 +175,9 @@ static enum status settle(struct given *g, const struct block *b,
     g->within = false;
     if (found && stand(g))
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text,
-             "no sign change of mu_ss - tan(alpha) was found at the saddle");
-    return STATUS_BAD_ARGUMENT;
+    return fault_set(
+        why, STATUS_BAD_ARGUMENT,
+        "no sign change of mu_ss - tan(alpha) was found at the saddle");
 }
 
 /* ---- all ----------------------------------------------------------------- */
@@ -272,11 +272,9 @@ enum status proof_law_at(struct proof_law *p, const struct block *b,
 
     *p = (struct proof_law){ .law = limit_of(b),
                              .is_log = law_psi_is_log(&b->law) };
-    if (!interval_has_64_bits()) {
-        snprintf(why->text, sizeof why->text,
-                 "numbers of 64 bits are rounded to fewer here");
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (!interval_has_64_bits())
+        return fault_set(why, STATUS_BAD_ARGUMENT,
+                         "numbers of 64 bits are rounded to fewer here");
     enum status s = make_graphs(p);
     if (s != STATUS_OK)
         return s;

@@ -275,9 +275,8 @@ static enum status too_long(const char *path, struct fault *why)
     char shown[300];
 
     text_show_end(path, shown, sizeof shown);
-    snprintf(why->text, sizeof why->text, "%s: cannot read: more than 64 MiB",
-             shown);
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%s: cannot read: more than 64 MiB",
+                     shown);
 }
 
 enum status table_read(struct table *t, const char *path, struct fault *why)

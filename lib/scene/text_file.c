@@ -15,8 +15,7 @@ static enum status cannot_read(const char *path, struct fault *why)
     char shown[300];
 
     text_show_end(path, shown, sizeof shown);
-    snprintf(why->text, sizeof why->text, "%s: cannot read: %s", shown, reason);
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%s: cannot read: %s", shown, reason);
 }
 
 /* *text, first NULL, is owned by the caller, whatever is returned. */

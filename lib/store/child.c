@@ -27,8 +27,7 @@ struct ending {
 static enum status child_blame(const char *path, const char *what,
                                const char *reason, struct fault *why)
 {
-    snprintf(why->text, sizeof why->text, "%.250s: %s%s", path, what, reason);
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%.250s: %s%s", path, what, reason);
 }
 
 /* ---- the child ----------------------------------------------------------- */

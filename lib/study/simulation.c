@@ -41,11 +41,10 @@ enum status simulation_run(struct simulation *s, const struct scene *scene,
                            const struct monitor *monitor, struct fault *why)
 {
     *s = (struct simulation){ .scene = *scene };
-    if (scene->starts == 0) {
-        snprintf(why->text, sizeof why->text,
-                 "no start, expected trajectories.starts (or --v and --psi)");
-        return STATUS_BAD_SCENE;
-    }
+    if (scene->starts == 0)
+        return fault_set(
+            why, STATUS_BAD_SCENE,
+            "no start, expected trajectories.starts (or --v and --psi)");
     s->scene.products = 1u << PRODUCT_KNEES | 1u << PRODUCT_EQUILIBRIA;
     enum status status = study_run(&s->study, &s->scene, monitor, why);
     if (status != STATUS_OK)
@@ -78,10 +77,7 @@ void simulation_free(struct simulation *s)
 
 /* ---- what a simulation says ---------------------------------------------- */
 
-static size_t count_runs(const void *run)
-{
-    return ((const struct simulation *) run)->runs;
-}
+RESULT_COUNT(count_runs, simulation, s->runs)
 
 static enum status view_curve(const void *run, size_t k,
                               struct result_view *out)

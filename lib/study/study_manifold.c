@@ -133,9 +133,10 @@ enum status study_unstable(struct study *s, const struct monitor *monitor,
         s->cost[STAGE_UNSTABLE].field_evaluations +=
             s->unstable[i].field_calls + s->unstable[i].jacobian_calls;
     }
-    if (status != STATUS_OK)
-        snprintf(why->text, sizeof why->text,
-                 "the unstable manifold of the saddle at v = %.6g: %s",
-                 s->slider.block.at.v0, status_text(status));
-    return status;
+    return status != STATUS_OK
+               ? fault_set(
+                     why, status,
+                     "the unstable manifold of the saddle at v = %.6g: %s",
+                     s->slider.block.at.v0, status_text(status))
+               : status;
 }

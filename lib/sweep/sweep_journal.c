@@ -38,9 +38,7 @@ uint64_t sweep_journal_sum(uint64_t sum, const void *bytes, size_t size)
 
 static enum status trouble(const struct sweep_journal *j, struct fault *why)
 {
-    snprintf(why->text, sizeof why->text, "%.300s: %s", j->path,
-             strerror(errno));
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%.300s: %s", j->path, strerror(errno));
 }
 
 /* ---- reading ------------------------------------------------------------- */
@@ -243,10 +241,9 @@ static enum status open_file(struct sweep_journal *j, int how, int lock,
         return trouble(j, why);
     if (flock(j->file, lock | LOCK_NB) == 0 && S_ISREG(is.st_mode))
         return STATUS_OK;
-    snprintf(why->text, sizeof why->text, "%.300s: %s", j->path,
-             S_ISREG(is.st_mode) ? "another run is writing it"
-                                 : "not a regular file");
-    return STATUS_IO;
+    return fault_set(why, STATUS_IO, "%.300s: %s", j->path,
+                     S_ISREG(is.st_mode) ? "another run is writing it"
+                                         : "not a regular file");
 }
 
 static enum status begin(struct sweep_journal *j, const struct head *own,
@@ -260,8 +257,7 @@ static enum status begin(struct sweep_journal *j, const struct head *own,
 static enum status refuse(const struct sweep_journal *j, const char *what,
                           struct fault *why)
 {
-    snprintf(why->text, sizeof why->text, "%.300s: %s", j->path, what);
-    return STATUS_BAD_SCENE;
+    return fault_set(why, STATUS_BAD_SCENE, "%.300s: %s", j->path, what);
 }
 
 static struct head head_of(const struct sweep_journal *j,
