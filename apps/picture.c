@@ -177,28 +177,15 @@ static void add_nullclines(struct picture *p)
         }
 }
 
-/* With an arrowhead there, as a fraction of its visible length; or none. */
-static void add_way(struct picture *p, struct line *l,
-                    struct figure_style style, const char *entry,
-                    const double *head)
-{
-    figure_add_line(p->figure,
-                    &(struct figure_layer){ .style = style,
-                                            .entry = entry,
-                                            .heads = head,
-                                            .head_count = head != NULL },
-                    l);
-}
-
 /* One orbit; with an arrowhead in the middle. */
 static void add_chosen(struct picture *p)
 {
-    static const double middle = 0.5;
 
     for (size_t i = 0; i < p->s->chosen.count; i++) {
         struct line l = curve_line(p, &p->s->chosen.at[i].curve);
-        add_way(p, &l, (struct figure_style){ .role = FIGURE_HIGHLIGHT },
-                "trajectory from the given start", &middle);
+        figure_add_way(p->figure,
+                       (struct figure_style){ .role = FIGURE_HIGHLIGHT },
+                       "trajectory from the given start", &l);
     }
 }
 
@@ -243,7 +230,6 @@ static void take_line(struct crowd *crowd, struct line l)
 /* Whole orbits, as far as none runs beside another or beside a manifold. */
 static void add_trajectories(struct picture *p)
 {
-    static const double middle = 0.5;
     const struct trajectories *chosen = &p->s->chosen,
                               *all = &p->s->portrait.trajectories;
     struct crowd *crowd = malloc(sizeof *crowd);
@@ -262,8 +248,9 @@ static void add_trajectories(struct picture *p)
     for (size_t i = 0; i < all->count; i++) {
         struct line l = curve_line(p, &all->at[i].curve);
         crowd_cut(crowd, &l);
-        add_way(p, &l, (struct figure_style){ .role = FIGURE_TRAJECTORY },
-                "trajectories", &middle);
+        figure_add_way(p->figure,
+                       (struct figure_style){ .role = FIGURE_TRAJECTORY },
+                       "trajectories", &l);
     }
     free(crowd);
 }
@@ -271,23 +258,23 @@ static void add_trajectories(struct picture *p)
 /* Under the nullclines, which it follows closely. */
 static void add_unstable(struct picture *p)
 {
-    static const double middle = 0.5;
 
     for (int i = 0; i < SIDES; i++) {
         struct line l = curve_line(p, &p->s->unstable[i].curve);
-        add_way(p, &l, (struct figure_style){ .role = FIGURE_UNSTABLE },
-                "unstable manifold", &middle);
+        figure_add_way(p->figure,
+                       (struct figure_style){ .role = FIGURE_UNSTABLE },
+                       "unstable manifold", &l);
     }
 }
 
 static void add_manifolds(struct picture *p)
 {
-    static const double middle = 0.5;
 
     for (int i = 0; i < SIDES; i++) {
         struct line l = stable_line(p, &p->s->stable[i]);
-        add_way(p, &l, (struct figure_style){ .role = FIGURE_STABLE },
-                "stable manifold", &middle);
+        figure_add_way(p->figure,
+                       (struct figure_style){ .role = FIGURE_STABLE },
+                       "stable manifold", &l);
     }
 }
 
@@ -298,15 +285,9 @@ static void add_equilibria(struct picture *p)
     for (size_t i = 0; i < plane->equilibria; i++) {
         const bool saddle = plane->equilibrium[i].type == EQUILIBRIUM_SADDLE;
         const struct vec2 at = shown(p, phase_plane_offset(plane, i));
-        figure_add(p->figure,
-                   &(struct figure_layer){
-                       .kind = FIGURE_POINTS,
-                       .style = { .role = FIGURE_EQUILIBRIUM },
-                       .entry = saddle ? "saddle" : "stable node",
-                       .x = &at.x,
-                       .y = &at.y,
-                       .count = 1,
-                       .mark = saddle ? FIGURE_CIRCLE : FIGURE_DISC });
+        figure_add_point(p->figure, at.x, at.y, FIGURE_EQUILIBRIUM,
+                         saddle ? FIGURE_CIRCLE : FIGURE_DISC, 0.0,
+                         saddle ? "saddle" : "stable node");
     }
 }
 
@@ -326,14 +307,7 @@ static void add_arrows(struct picture *p)
         line_add(&along, a->at[i].direction.x * size.x,
                  a->at[i].direction.y * size.y);
     }
-    at.failed = at.failed || along.failed;
-    figure_add_line(p->figure,
-                    &(struct figure_layer){ .kind = FIGURE_ARROWS,
-                                            .style = { FIGURE_FIELD, 0, 0 },
-                                            .dx = along.x,
-                                            .dy = along.y },
-                    &at);
-    line_free(&along);
+    figure_add_arrows(p->figure, &at, &along);
 }
 
 /* The power series in v; not on eigen axes. */

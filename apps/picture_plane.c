@@ -65,12 +65,6 @@ static void add(const struct picture *p, struct stroke *t, struct vec2 z)
     t->last = z;
 }
 
-static void finish(const struct picture *p, struct stroke *t,
-                   const struct figure_layer *look)
-{
-    figure_add_line(p->figure, look, &t->line);
-}
-
 static void name_state(const struct picture *p, int i,
                        char text[2 * FORMULA_NAME])
 {
@@ -164,14 +158,7 @@ static void add_arrows(const struct picture *p)
         line_add(&along, a->at[i].direction.x * side.x,
                  a->at[i].direction.y * side.y);
     }
-    at.failed = at.failed || along.failed;
-    figure_add_line(p->figure,
-                    &(struct figure_layer){ .kind = FIGURE_ARROWS,
-                                            .style = { .role = FIGURE_FIELD },
-                                            .dx = along.x,
-                                            .dy = along.y },
-                    &at);
-    line_free(&along);
+    figure_add_arrows(p->figure, &at, &along);
 }
 
 /* Orbit k as one line along the flow. */
@@ -191,7 +178,6 @@ static struct stroke orbit_stroke(const struct picture *p, size_t k)
 /* As far as none runs beside another or beside a manifold. */
 static void add_trajectories(const struct picture *p)
 {
-    static const double middle = 0.5;
     struct crowd *crowd = malloc(sizeof *crowd);
 
     if (crowd == NULL) {
@@ -207,11 +193,9 @@ static void add_trajectories(const struct picture *p)
     for (size_t i = 0; i < p->s->portrait.trajectories.count; i++) {
         struct stroke t = orbit_stroke(p, i);
         crowd_cut(crowd, &t.line);
-        finish(p, &t,
-               &(struct figure_layer){ .style = { .role = FIGURE_TRAJECTORY },
-                                       .entry = "trajectories",
-                                       .heads = &middle,
-                                       .head_count = 1 });
+        figure_add_way(p->figure,
+                       (struct figure_style){ .role = FIGURE_TRAJECTORY },
+                       "trajectories", &t.line);
     }
     free(crowd);
 }
@@ -227,11 +211,13 @@ static void add_nullclines(const struct picture *p)
             struct stroke t = { .line = LINE_EMPTY };
             for (size_t j = 0; j < n->piece[k].count; j++)
                 add(p, &t, n->piece[k].at[j]);
-            finish(p, &t,
-                   &(struct figure_layer){
-                       .style = { .role = i == 0 ? FIGURE_NULLCLINE_X
-                                                 : FIGURE_NULLCLINE_Y },
-                       .entry = entry });
+            figure_add_line(
+                p->figure,
+                &(struct figure_layer){
+                    .style = { .role = i == 0 ? FIGURE_NULLCLINE_X
+                                              : FIGURE_NULLCLINE_Y },
+                    .entry = entry },
+                &t.line);
         }
     }
 }
@@ -239,7 +225,6 @@ static void add_nullclines(const struct picture *p)
 /* Along the flow: stable ones are grown against it. */
 static void add_manifolds(const struct picture *p)
 {
-    static const double middle = 0.5;
 
     for (size_t i = 0; i < p->s->branches; i++) {
         const struct plane_branch *b = &p->s->branch[i];
@@ -247,13 +232,11 @@ static void add_manifolds(const struct picture *p)
         struct stroke t = branch_stroke(p, b);
         if (stable)
             line_reverse(&t.line);
-        finish(
-            p, &t,
-            &(struct figure_layer){
-                .style = { .role = stable ? FIGURE_STABLE : FIGURE_UNSTABLE },
-                .entry = stable ? "stable manifold" : "unstable manifold",
-                .heads = &middle,
-                .head_count = 1 });
+        figure_add_way(p->figure,
+                       (struct figure_style){
+                           .role = stable ? FIGURE_STABLE : FIGURE_UNSTABLE },
+                       stable ? "stable manifold" : "unstable manifold",
+                       &t.line);
     }
 }
 
@@ -271,14 +254,9 @@ static void add_equilibria(const struct picture *p)
     for (size_t i = 0; i < p->s->listed; i++) {
         const struct plane_rest *r = &p->s->rest[i];
         const struct vec2 at = shown(p, r->z);
-        figure_add(p->figure, &(struct figure_layer){
-                                  .kind = FIGURE_POINTS,
-                                  .style = { .role = FIGURE_EQUILIBRIUM },
-                                  .entry = picture_plane_look[r->type].entry,
-                                  .x = &at.x,
-                                  .y = &at.y,
-                                  .count = 1,
-                                  .mark = picture_plane_look[r->type].mark });
+        figure_add_point(p->figure, at.x, at.y, FIGURE_EQUILIBRIUM,
+                         picture_plane_look[r->type].mark, 0.0,
+                         picture_plane_look[r->type].entry);
     }
 }
 

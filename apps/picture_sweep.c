@@ -262,14 +262,9 @@ static void add_gap(const struct plot *p, size_t first, size_t last)
     const double lo = first > 0 ? half_way(a, first - 1) : p->x.lo;
     const double hi = last + 1 < p->s->points ? half_way(a, last) : p->x.hi;
 
-    figure_add(p->figure,
-               &(struct figure_layer){
-                   .kind = FIGURE_REGION,
-                   .style.role = FIGURE_SHADE_6,
-                   .entry = "does not exist",
-                   .x = (double[]){ lo, hi, hi, lo },
-                   .y = (double[]){ p->y.lo, p->y.lo, p->y.hi, p->y.hi },
-                   .count = 4 });
+    figure_add_block(p->figure, (double[]){ lo, hi },
+                     (double[]){ p->y.lo, p->y.hi }, FIGURE_SHADE_6,
+                     "does not exist");
 }
 
 static void add_gaps(const struct plot *p)

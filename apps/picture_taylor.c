@@ -54,14 +54,8 @@ static void add_band(const struct sums *q)
     const struct vec2 b =
         q->shown(q->ctx, (struct vec2){ v_sp + R, w->psi[1] });
 
-    figure_add(q->f, &(struct figure_layer){
-                         .kind = FIGURE_REGION,
-                         .style = { .role = FIGURE_SHADE_2 },
-                         .entry = "the series converges",
-                         .x = (double[]){ a.x, b.x, b.x, a.x },
-                         .y = (double[]){ a.y, a.y, b.y, b.y },
-                         .count = 4,
-                     });
+    figure_add_block(q->f, (double[]){ a.x, b.x }, (double[]){ a.y, b.y },
+                     FIGURE_SHADE_2, "the series converges");
 }
 
 void picture_add_taylor(const struct study *s,

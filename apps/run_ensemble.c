@@ -76,16 +76,11 @@ static void add_bars(struct figure *f, const double range[2],
     const double wide = (range[1] - range[0]) / BARS;
 
     for (int i = 0; i < BARS; i++) {
-        const double x0 = range[0] + i * wide, x1 = x0 + wide;
-        const double x[] = { x0, x1, x1, x0 }, y[] = { 0, 0, bar[i], bar[i] };
+        const double from = range[0] + i * wide;
         if (bar[i] > 0.0)
-            figure_add(
-                f, &(struct figure_layer){ .kind = FIGURE_REGION,
-                                           .style = { .role = FIGURE_SHADE_1 },
-                                           .entry = "draws",
-                                           .x = x,
-                                           .y = y,
-                                           .count = 4 });
+            figure_add_block(f, (double[]){ from, from + wide },
+                             (double[]){ 0.0, bar[i] }, FIGURE_SHADE_1,
+                             "draws");
     }
 }
 

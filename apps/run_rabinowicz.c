@@ -57,20 +57,6 @@ static bool has_roots(const struct parabola *p)
 
 /* ---- (a) tan(alpha) over l_k tan(alpha) ---------------------------------- */
 
-static void add_point(struct figure *f, double x, double y,
-                      enum figure_role role, enum figure_mark mark,
-                      const char *entry)
-{
-    figure_add(f, &(struct figure_layer){ .kind = FIGURE_POINTS,
-                                          .style = { .role = role },
-                                          .entry = entry,
-                                          .x = &x,
-                                          .y = &y,
-                                          .count = 1,
-                                          .mark = mark,
-                                          .size = 8 });
-}
-
 static void add_data(struct figure *f, const struct series *s)
 {
     for (size_t i = 0; i < s->count; i++) {
@@ -80,8 +66,8 @@ static void add_data(struct figure *f, const struct series *s)
             sheet_segment(f, (struct figure_style){ FIGURE_TRAJECTORY, 0, 0 },
                           NULL, (struct vec2){ x - reach, t },
                           (struct vec2){ x + reach, t });
-        add_point(f, x, t, FIGURE_EQUILIBRIUM, FIGURE_DISC,
-                  s->error ? "data, 95 % bars" : "data");
+        figure_add_point(f, x, t, FIGURE_EQUILIBRIUM, FIGURE_DISC, 8.0,
+                         s->error ? "data, 95 % bars" : "data");
     }
 }
 
@@ -91,8 +77,8 @@ static void add_exact(struct figure *f, const struct release *r)
     for (size_t i = 0; i < r->rows; i++) {
         const double t = r->row[i].tan_alpha, x = mm * r->row[i].l_k.value * t;
         if (quantity_exists(&r->row[i].l_k))
-            add_point(f, x, t, FIGURE_STABLE, FIGURE_CROSS,
-                      "the scene's law, exact");
+            figure_add_point(f, x, t, FIGURE_STABLE, FIGURE_CROSS, 8.0,
+                             "the scene's law, exact");
     }
 }
 
@@ -157,7 +143,7 @@ static void add_root(struct figure *f, const struct quantity *root, double low,
     sheet_segment(f, (struct figure_style){ role, FIGURE_SOLID, 4 }, NULL,
                   (struct vec2){ 0.0, fmax(low, f->y.lo) },
                   (struct vec2){ 0.0, fmin(high, f->y.hi) });
-    add_point(f, 0.0, root->value, role, mark, entry);
+    figure_add_point(f, 0.0, root->value, role, mark, 8.0, entry);
 }
 
 static void add_roots(struct figure *f, const struct parabola *p)
@@ -276,10 +262,8 @@ static enum status picture_rabinowicz(const struct release *r,
                              ? "no l_k was measured, nothing to draw"
                              : r->slip.reason;
 
-    if (reason) {
-        snprintf(why->text, sizeof why->text, "rabinowicz: %s", reason);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (reason)
+        return fault_set(why, STATUS_BAD_ARGUMENT, "rabinowicz: %s", reason);
     if (title[0] == '\0')
         title = "Rabinowicz's experiment";
     build_release(panels_add(p, picture_rabinowicz_panel[0]), r, title);
@@ -290,12 +274,11 @@ static enum status picture_rabinowicz(const struct release *r,
 static enum status check(const struct options *o, const struct scene *c,
                          struct fault *why)
 {
-    if (c->figure && !c->rabinowicz.data) {
-        snprintf(why->text, sizeof why->text,
-                 "rabinowicz: %.300s: a figure shows data, expected --data",
-                 c->figure);
-        return STATUS_BAD_ARGUMENT;
-    }
+    if (c->figure && !c->rabinowicz.data)
+        return fault_set(
+            why, STATUS_BAD_ARGUMENT,
+            "rabinowicz: %.300s: a figure shows data, expected --data",
+            c->figure);
     return output_check(o, c, c->figure, picture_rabinowicz_panel, why);
 }
 

@@ -1,6 +1,5 @@
 #include "sheet.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -79,14 +78,7 @@ void sheet_line(const struct sheet *p, struct line *l,
 void sheet_mark(const struct sheet *p, double x, double y,
                 enum figure_mark mark, const char *entry)
 {
-    figure_add(p->figure,
-               &(struct figure_layer){ .kind = FIGURE_POINTS,
-                                       .style = { .role = FIGURE_EQUILIBRIUM },
-                                       .entry = entry,
-                                       .x = &x,
-                                       .y = &y,
-                                       .count = 1,
-                                       .mark = mark });
+    figure_add_point(p->figure, x, y, FIGURE_EQUILIBRIUM, mark, 0.0, entry);
 }
 
 enum figure_mark sheet_mark_of(const struct extremum *e)

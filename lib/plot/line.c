@@ -52,6 +52,56 @@ void figure_add_line(struct figure *f, const struct figure_layer *look,
     line_free(l);
 }
 
+void figure_add_way(struct figure *f, struct figure_style style,
+                    const char *entry, struct line *l)
+{
+    static const double middle = 0.5;
+
+    figure_add_line(
+        f,
+        &(struct figure_layer){
+            .style = style, .entry = entry, .heads = &middle, .head_count = 1 },
+        l);
+}
+
+void figure_add_arrows(struct figure *f, struct line *at, struct line *along)
+{
+    at->failed = at->failed || along->failed;
+    figure_add_line(f,
+                    &(struct figure_layer){ .kind = FIGURE_ARROWS,
+                                            .style = { .role = FIGURE_FIELD },
+                                            .dx = along->x,
+                                            .dy = along->y },
+                    at);
+    line_free(along);
+}
+
+void figure_add_point(struct figure *f, double x, double y,
+                      enum figure_role role, enum figure_mark mark, double size,
+                      const char *entry)
+{
+    figure_add(f, &(struct figure_layer){ .kind = FIGURE_POINTS,
+                                          .style = { .role = role },
+                                          .entry = entry,
+                                          .x = &x,
+                                          .y = &y,
+                                          .count = 1,
+                                          .mark = mark,
+                                          .size = size });
+}
+
+void figure_add_block(struct figure *f, const double x[2], const double y[2],
+                      enum figure_role role, const char *entry)
+{
+    figure_add(
+        f, &(struct figure_layer){ .kind = FIGURE_REGION,
+                                   .style = { .role = role },
+                                   .entry = entry,
+                                   .x = (double[]){ x[0], x[1], x[1], x[0] },
+                                   .y = (double[]){ y[0], y[0], y[1], y[1] },
+                                   .count = 4 });
+}
+
 void range_grow(double range[2], const double *value, size_t count)
 {
     for (size_t i = 0; i < count; i++)
