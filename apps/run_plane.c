@@ -1,14 +1,9 @@
 #include "run_plane.h"
 
-#include "certificate_file.h"
-#include "drawn.h"
 #include "json_results.h"
 #include "margin.h"
-#include "picture_plane.h"
-#include "plane_certificate.h"
 #include "plane_numbers.h"
 #include "plane_results.h"
-#include "progress.h"
 #include "report_ensemble.h"
 #include "text_results.h"
 
@@ -35,11 +30,10 @@ static json_t *json_reasons(const struct plane_study *s)
     return all;
 }
 
-static enum exit_code print_json(const struct plane_study *s,
-                                 const struct ensemble *drawn,
-                                 const struct results *all)
+json_t *plane_json(const struct plane_study *s, const struct ensemble *drawn)
 {
-    json_t *j = json_results(NULL, all);
+    const struct results all = plane_results(s);
+    json_t *j = json_results(NULL, &all);
 
     if (j)
         json_object_set_new(j, "equilibria_complete",
@@ -53,7 +47,7 @@ static enum exit_code print_json(const struct plane_study *s,
     }
     if (j && drawn)
         json_object_set_new(j, "ensemble", report_ensemble_json(drawn));
-    return json_print(j) ? EXIT_DONE : command_unwritten();
+    return j;
 }
 
 static void print_incomplete(const struct plane_study *s)
@@ -87,93 +81,14 @@ static void print_notes(const struct plane_study *s)
         printf("note: no margins to draw: all states have the same fate\n");
 }
 
-static enum exit_code print(const struct plane_study *s,
-                            const struct ensemble *drawn,
-                            const struct options *o)
+enum status plane_print(const struct plane_study *s)
 {
     const struct results all = plane_results(s);
-
-    if (o->json)
-        return print_json(s, drawn, &all);
-    if (o->quiet)
-        return EXIT_DONE;
     const enum status status = text_results(stdout, &all);
-    if (status != STATUS_OK)
-        return command_fail(status, status_text(status));
-    print_notes(s);
-    if (drawn)
-        report_ensemble_print(stdout, drawn);
-    return EXIT_DONE;
-}
 
-static enum status write_files(const struct plane_study *s,
-                               const struct ensemble *drawn,
-                               const struct options *o, const char *figure,
-                               struct fault *why)
-{
-    const struct results all = plane_results(s);
-    struct panels p = PANELS_EMPTY;
-    enum status status = output_write(o, o->command->name, &all, s->scene,
-                                      drawn, s->system[0].name, why);
-
-    if (status == STATUS_OK && o->certificate)
-        status = certificate_write(o, plane_certificate(s), why);
-    if (status == STATUS_OK && figure)
-        picture_plane(s, &p);
-    return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
-}
-
-/* Files are written and numbers printed: the user may see for himself. */
-static enum exit_code judge(const struct plane_basin *b)
-{
-    char text[160];
-
-    snprintf(text, sizeof text,
-             "audit: the orbits of %d of %d states go elsewhere than the map "
-             "says",
-             (int) b->disagreements, (int) b->cells);
-    return command_fail(STATUS_NO_CONVERGENCE, text);
-}
-
-/* Likewise: a bar and a proof cannot both be right. */
-static enum exit_code judge_proof(const struct fault *lie)
-{
-    fprintf(stderr, "slipway: %s\n", lie->text);
-    return EXIT_CHECK;
-}
-
-enum exit_code plane_run(const struct options *o, const struct scene *scene,
-                         const char *figure)
-{
-    static const char *const panel[] = { "", NULL };
-    const char *draw = scene->figure ? scene->figure
-                       : scene->hdf5 ? NULL
-                                     : figure;
-    struct ensemble drawn = ENSEMBLE_EMPTY;
-    struct plane_study s;
-    struct fault why = { "" };
-
-    enum status status = drawn_check(o, scene, &why);
     if (status == STATUS_OK)
-        status = output_check(o, scene, draw, panel, &why);
-    if (status == STATUS_OK)
-        status = plane_study_run(&s, scene, progress_monitor(o), &why);
-    progress_end();
-    if (status != STATUS_OK)
-        return command_fail(status, why.text);
-    status = drawn_run(o, scene, &drawn, &why);
-    if (status == STATUS_OK)
-        status = write_files(&s, drawn_of(&drawn), o, draw, &why);
-    progress_end();
-    enum exit_code code = status == STATUS_OK ? print(&s, drawn_of(&drawn), o)
-                                              : command_fail(status, why.text);
-    if (code == EXIT_DONE && s.basin.disagreements > 0)
-        code = judge(&s.basin);
-    if (code == EXIT_DONE && s.proof.lie.text[0])
-        code = judge_proof(&s.proof.lie);
-    ensemble_free(&drawn);
-    plane_study_free(&s);
-    return code;
+        print_notes(s);
+    return status;
 }
 
 /* ---- plan ---------------------------------------------------------------- */

@@ -1,13 +1,14 @@
-/* run_plane.h -- commands on a scene with a system of formulas. */
+/* run_plane.h -- what commands say of a system of formulas. */
 #pragma once
 
 #include "command.h"
+#include "ensemble.h"
 #include "json.h"
+#include "plane_study.h"
 
-/* Runs a study of the scene, writes, draws (`figure`, where the scene names no
- * output; NULL: nothing) and prints it. */
-enum exit_code plane_run(const struct options *o, const struct scene *scene,
-                         const char *figure);
+/* As report_print and report_json of a law (report.h). */
+MUST_CHECK enum status plane_print(const struct plane_study *s);
+json_t *plane_json(const struct plane_study *s, const struct ensemble *drawn);
 
 /* One stage of a plan, printed unless it is to be JSON, and on its list. */
 void plan_row(const struct options *o, json_t *list, const char *name,

@@ -5,6 +5,9 @@
 #include "certificate_file.h"
 #include "drawn.h"
 #include "picture.h"
+#include "picture_plane.h"
+#include "plane_certificate.h"
+#include "plane_results.h"
 #include "product_setting.h"
 #include "progress.h"
 #include "remark.h"
@@ -112,13 +115,11 @@ static enum status check_files(const struct options *o, const struct scene *c,
     static const char *const panel[] = { "", NULL };
     const char *figure = figure_of(c, how);
 
-    if (figure && c->products == BIT(FOLDS) && !scene_has_slope(c)) {
-        snprintf(why->text, sizeof why->text,
-                 "%.300s: nothing to draw: folds are numbers, expected "
-                 "fold_curves or bifurcation beside them, or a slope",
-                 figure);
-        return STATUS_BAD_SCENE;
-    }
+    if (figure && c->products == BIT(FOLDS) && !scene_has_slope(c))
+        return fault_set(why, STATUS_BAD_SCENE,
+                         "%.300s: nothing to draw: folds are numbers, expected "
+                         "fold_curves or bifurcation beside them, or a slope",
+                         figure);
     return output_check(o, c, figure, panel, why);
 }
 
@@ -131,56 +132,110 @@ static void print_remarks(const struct study *s)
         printf("note: %s\n", text[i]);
 }
 
-static enum status write_files(const struct study *s,
-                               const struct ensemble *drawn,
-                               const struct options *o,
-                               const struct shortcut *how, struct fault *why)
-{
-    const char *figure = figure_of(s->scene, how);
-    const struct results all = study_results(s);
-    struct panels p = PANELS_EMPTY;
-    /* the shortcuts are studies, but one of a scene with a sweep would sweep */
-    const char *command = s->scene->sweep.axes > 0 ? o->command->name : "study";
-    enum status status = output_write(o, command, &all, s->scene, drawn,
-                                      s->slider.block.law.preset, why);
+/* What was found of a scene, which has a system of formulas or a law. */
+struct found {
+    const struct scene *scene;
+    union {
+        struct plane_study plane;
+        struct study law;
+    };
+    struct ensemble drawn;
+};
 
-    if (status == STATUS_OK && o->certificate)
-        status = certificate_write(o, study_certificate(s), why);
-    if (status == STATUS_OK && figure)
-        picture_study(s, progress_monitor(o), &p);
-    return status ? status : output_draw(o, &s->scene->paper, &p, figure, why);
+static enum status find(struct found *f, const struct options *o,
+                        struct fault *why)
+{
+    const struct monitor *monitor = progress_monitor(o);
+
+    return f->scene->system ? plane_study_run(&f->plane, f->scene, monitor, why)
+                            : study_run(&f->law, f->scene, monitor, why);
 }
 
-static enum exit_code print_results(const struct study *s,
-                                    const struct ensemble *drawn,
+static void forget(struct found *f)
+{
+    ensemble_free(&f->drawn);
+    if (f->scene->system)
+        plane_study_free(&f->plane);
+    else
+        study_free(&f->law);
+}
+
+static enum status write_files(const struct found *f, const struct options *o,
+                               const struct shortcut *how, struct fault *why)
+{
+    const bool system = f->scene->system != NULL;
+    const char *figure = figure_of(f->scene, how);
+    const struct results all =
+        system ? plane_results(&f->plane) : study_results(&f->law);
+    struct panels p = PANELS_EMPTY;
+    /* the shortcuts are studies, but one of a scene with a sweep would sweep */
+    const char *command =
+        system || f->scene->sweep.axes > 0 ? o->command->name : "study";
+    enum status status = output_write(
+        o, command, &all, f->scene, drawn_of(&f->drawn),
+        system ? f->plane.system[0].name : f->law.slider.block.law.preset, why);
+
+    if (status == STATUS_OK && o->certificate)
+        status = certificate_write(o,
+                                   system ? plane_certificate(&f->plane)
+                                          : study_certificate(&f->law),
+                                   why);
+    if (status == STATUS_OK && figure && system)
+        picture_plane(&f->plane, &p);
+    else if (status == STATUS_OK && figure)
+        picture_study(&f->law, progress_monitor(o), &p);
+    return status ? status : output_draw(o, &f->scene->paper, &p, figure, why);
+}
+
+static enum status print_law(const struct study *s, const struct shortcut *how)
+{
+    const enum status status =
+        how->print_numbers ? report_print(stdout, s) : STATUS_OK;
+
+    if (status == STATUS_OK)
+        print_remarks(s);
+    return status;
+}
+
+static enum exit_code print_results(const struct found *f,
                                     const struct options *o,
                                     const struct shortcut *how)
 {
+    const struct ensemble *drawn = drawn_of(&f->drawn);
+    const bool system = f->scene->system != NULL;
+
     if (o->json)
-        return json_print(report_json(s, drawn)) ? EXIT_DONE
-                                                 : command_unwritten();
+        return json_print(system ? plane_json(&f->plane, drawn)
+                                 : report_json(&f->law, drawn))
+                   ? EXIT_DONE
+                   : command_unwritten();
+    if (o->quiet)
+        return EXIT_DONE;
     const enum status status =
-        !o->quiet && how->print_numbers ? report_print(stdout, s) : STATUS_OK;
+        system ? plane_print(&f->plane) : print_law(&f->law, how);
     if (status != STATUS_OK)
         return command_fail(status, status_text(status));
-    if (!o->quiet)
-        print_remarks(s);
-    if (!o->quiet && drawn)
+    if (drawn)
         report_ensemble_print(stdout, drawn);
     return EXIT_DONE;
 }
 
 /* Files are written and numbers printed: the user may see for himself. */
-static enum exit_code judge_audit(const struct basin_map *m)
+static enum exit_code judge_audit(const struct found *f)
 {
+    const struct plane_basin *b = &f->plane.basin;
+    const struct basin_map *m = &f->law.basins;
+    const bool system = f->scene->system != NULL;
+    const size_t wrong =
+        system ? (size_t) b->disagreements : m->audit.disagreements;
     char text[160];
 
-    if (m->audit.disagreements == 0)
+    if (wrong == 0)
         return EXIT_DONE;
-    snprintf(text, sizeof text,
-             "audit: the orbits of %zu of %zu cells have another fate than "
-             "the map says",
-             m->audit.disagreements, m->audit.cells);
+    snprintf(text, sizeof text, "audit: the orbits of %zu of %zu %s", wrong,
+             system ? (size_t) b->cells : m->audit.cells,
+             system ? "states go elsewhere than the map says"
+                    : "cells have another fate than the map says");
     return command_fail(STATUS_NO_CONVERGENCE, text);
 }
 
@@ -194,56 +249,45 @@ static enum exit_code judge_proof(const struct fault *lie)
 }
 
 /* Writes, draws and prints what was found. */
-static enum exit_code tell(const struct study *study,
-                           const struct ensemble *drawn,
-                           const struct options *o, const struct shortcut *how)
+static enum exit_code tell(const struct found *f, const struct options *o,
+                           const struct shortcut *how)
 {
     struct fault why = { "" };
-    const enum status s = write_files(study, drawn, o, how, &why);
+    const enum status s = write_files(f, o, how, &why);
 
     progress_end();
-    enum exit_code code = s == STATUS_OK ? print_results(study, drawn, o, how)
-                                         : command_fail(s, why.text);
+    enum exit_code code =
+        s == STATUS_OK ? print_results(f, o, how) : command_fail(s, why.text);
     if (code == EXIT_DONE)
-        code = judge_audit(&study->basins);
-    return code == EXIT_DONE ? judge_proof(&study->proof.lie) : code;
-}
-
-static enum exit_code run_law(const struct options *o,
-                              const struct scene *scene,
-                              const struct shortcut *how)
-{
-    struct ensemble drawn = ENSEMBLE_EMPTY;
-    struct fault why = { "" };
-    struct study study;
-
-    enum status s = drawn_check(o, scene, &why);
-    if (s == STATUS_OK)
-        s = check_files(o, scene, how, &why);
-    if (s == STATUS_OK)
-        s = study_run(&study, scene, progress_monitor(o), &why);
-    progress_end();
-    if (s != STATUS_OK)
-        return command_fail(s, why.text);
-    s = drawn_run(o, scene, &drawn, &why);
-    const enum exit_code code = s == STATUS_OK
-                                    ? tell(&study, drawn_of(&drawn), o, how)
-                                    : command_fail(s, why.text);
-    ensemble_free(&drawn);
-    study_free(&study);
-    return code;
+        code = judge_audit(f);
+    return code == EXIT_DONE
+               ? judge_proof(f->scene->system ? &f->plane.proof.lie
+                                              : &f->law.proof.lie)
+               : code;
 }
 
 static enum exit_code run_scene(const struct options *o,
                                 const struct scene *scene,
                                 const struct shortcut *how)
 {
+    struct found f = { .scene = scene, .drawn = ENSEMBLE_EMPTY };
     struct fault why = { "" };
-    const enum status s = certificate_check(o, scene, &why);
+    enum status s = certificate_check(o, scene, &why);
 
-    return s != STATUS_OK  ? command_fail(s, why.text)
-           : scene->system ? plane_run(o, scene, how->figure)
-                           : run_law(o, scene, how);
+    if (s == STATUS_OK)
+        s = drawn_check(o, scene, &why);
+    if (s == STATUS_OK)
+        s = check_files(o, scene, how, &why);
+    if (s == STATUS_OK)
+        s = find(&f, o, &why);
+    progress_end();
+    if (s != STATUS_OK)
+        return command_fail(s, why.text);
+    s = drawn_run(o, scene, &f.drawn, &why);
+    const enum exit_code code =
+        s == STATUS_OK ? tell(&f, o, how) : command_fail(s, why.text);
+    forget(&f);
+    return code;
 }
 
 static enum exit_code run(const struct options *o, const struct shortcut *how)
