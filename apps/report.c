@@ -1,7 +1,5 @@
 #include "report.h"
 
-#include <string.h>
-
 #include "json_results.h"
 #include "number.h"
 #include "report_ensemble.h"

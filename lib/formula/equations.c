@@ -2,8 +2,6 @@
  * logarithms the steady curves of friction are nearly straight. */
 #include "equations.h"
 
-#include <string.h>
-
 struct making {
     struct equations *e;
     const struct formula *from;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "scene_system.h"
-#include "schema.h"
 #include "system.h"
 #include "text.h"
 #include "tolerance.h"

@@ -12,7 +12,6 @@
  * layer_peaks.h). */
 #include "layer_lanes.h"
 
-#include <float.h>
 #include <string.h>
 
 #include "explicit8_table.h"

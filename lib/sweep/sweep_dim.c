@@ -1,6 +1,5 @@
 #include "sweep_dim.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
