@@ -25,7 +25,7 @@ bool limit_exists(const struct planar *sys, int ind, int toward, double dep)
 bool limit_is_none(const struct planar *sys, int ind, int toward, double dep)
 {
     const double way = way_to_edge(sys, ind, toward);
-    const double far = sys->axis[ind].is_log ? 1.0 : TOL_LIMIT_FAR;
+    const double far = sys->axis[ind].is_log ? 1.0 : sqrt(TOL_RANGE);
     const double middle = local_slope(sys, ind, local_point(ind, way / 2, dep));
     const double edge = local_slope(sys, ind, local_point(ind, way * far, dep));
 

@@ -312,7 +312,7 @@ bool radau_solve(struct radau *w, const struct cascade *system,
 {
     const double size = fabs(u[0]) + fabs(u[1]) + largest(w->z);
     const double rounding =
-        fmax(TOL_RADAU_LEAST * tol, TOL_RADAU_ROUNDING * DBL_EPSILON * size);
+        fmax(TOL_RADAU_LEAST * tol, 2.0 * TOL_ROUNDINGS * DBL_EPSILON * size);
     enum verdict verdict = GO_ON;
     double before = 0.0;
     struct iteration q;

@@ -327,12 +327,11 @@
 
 /* Steps of radau.h.  Iterations, at most; how much less sure a rate is that was
  * measured on the step before, and the least such rate (a lucky one says
- * nothing); changes that are nothing: the same part of the tolerance, or so
- * many roundings of the coordinates. */
+ * nothing); changes that are nothing: the same part of the tolerance, or what
+ * two iterates round by, TOL_ROUNDINGS of the coordinates each. */
 #define TOL_RADAU_ITERATIONS 10
 #define TOL_RADAU_DISTRUST   10.0
 #define TOL_RADAU_LEAST      1e-3
-#define TOL_RADAU_ROUNDING   32.0
 
 /* Steps of an orbit.  Its equations are solved to TOL_PART; stages are guessed
  * from the step before when they lie this far ahead of it, in its lengths, and
@@ -346,10 +345,9 @@
  * limit: those of laws decay at a rate of 1 at least, or do not. */
 #define TOL_LIMIT_DECAY 0.2
 /* One that falls like 1/Y has none: Y times it keeps this part, which a pole
- * beside the origin costs, up to FAR times as far, which a square of it is
- * still a number at. */
+ * beside the origin costs, up to the root of TOL_RANGE times as far, which a
+ * square of it is still a number at. */
 #define TOL_LIMIT_KEPT 0.9
-#define TOL_LIMIT_FAR  1e150
 
 /* The coarsest relative accuracy that still follows slow curves, and that of
  * the fields of a basin map where the scene does not say: four digits more than

@@ -33,10 +33,9 @@
 #define TOL_POWER_FALL   0.75
 #define TOL_POWER_GROWTH 1.3
 /* The integral ends if p > 1: surely where |p - 1| is above this; else
- * e^h = 1/(psi ln^s psi), which ends if s > 1: surely where |s - 1| is above
- * TOL_POWER_LOG. */
+ * e^h = 1/(psi ln^s psi), which ends if s > 1: surely where |s - 1|
+ * is TOL_CLEARLY. */
 #define TOL_POWER_ONE 0.02
-#define TOL_POWER_LOG 0.5
 
 /* Inertia cannot hold v back where it is e^-TOL_INERTIA_LN of the forces at the
  * anchor. */

@@ -251,9 +251,9 @@ static enum sum sum_of(const double h[], int n)
         return p > 1.0 ? SUM_ENDS : SUM_OPEN;
     /* 1/(Y ln^s Y): p - 1 = s/ln Y, and s > 1 would have an end */
     const double s = (p - 1.0) * (n - 1) * M_LN2;
-    return fabs(s - 1.0) < TOL_POWER_LOG ? SUM_UNKNOWN
-           : s > 1.0                     ? SUM_ENDS
-                                         : SUM_OPEN;
+    return fabs(s - 1.0) < TOL_CLEARLY ? SUM_UNKNOWN
+           : s > 1.0                   ? SUM_ENDS
+                                       : SUM_OPEN;
 }
 
 static struct block_end end_of(const struct way *w)

@@ -392,7 +392,7 @@ static enum status add_peaks(const struct fast_cells *f,
                              struct patch_sample s[], const bool whole[],
                              size_t n, double rtol, unsigned which)
 {
-    const double tol = fmax(rtol, TOL_FAST_PEAKS);
+    const double tol = fmax(rtol, TOL_ROOT);
     enum status status = STATUS_OK;
     struct layer_job job[FEWEST];
     struct layer layer[FEWEST];

@@ -434,7 +434,7 @@ static enum status run(const struct slider *s, struct vec2 z,
     options.target = goals->at;
     options.targets = goals->count;
     if (b->start == SLOW_FACE)
-        options.arrival = TOL_SLOW_INSIDE;
+        options.arrival = TOL_ARREST * TOL_SEEN;
     enum status status = orbit_init(&o, &s->plane.system, z, &options);
     if (status != STATUS_OK)
         return STATUS_OK;

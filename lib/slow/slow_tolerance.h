@@ -33,10 +33,9 @@
  * eigenvalues, may come to a resonance. */
 #define TOL_SADDLE_APART 0.8
 
-/* Inside a box of arrest it is run to here, where the node is as good as
- * linear (and a runaway TOL_SERIES_RADIUS_MAX far in ln psi: fields next to the
- * separatrix need no more). */
-#define TOL_SLOW_INSIDE 1e-5
+/* Inside a box of arrest it is run to TOL_SEEN of that, where the node is as
+ * good as linear (and a runaway TOL_SERIES_RADIUS_MAX far in ln psi: fields
+ * next to the separatrix need no more). */
 
 /* Terms that round: of the field (a coordinate by TOL_ROUNDING); and of
  * the face of a box of arrest, its node and the origin, whose difference is
@@ -101,9 +100,8 @@
  * TOL_RETRY times, and then no more, for they are the table's
  * (TOL_CELLS_GAIN), down to TOL_RTOL_DEFAULT. */
 
-/* Peaks are sampled for patches no finer than this, with bars so many times as
- * wide. */
-#define TOL_FAST_PEAKS 1e-8
+/* Peaks are sampled for patches no finer than TOL_ROOT, for at a peak what an
+ * orbit is off shows by its square, with bars so many times as wide. */
 #define TOL_FAST_LOOSE 10.0
 
 /* Cells run to their fates (cells.c).  Orbits are first followed to TOL_PART of
