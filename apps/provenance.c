@@ -19,11 +19,8 @@ struct provenance {
 
 #define TEXT(member, text) FIELD(provenance, TEXT, member, "1", text)
 #define KEY(member, unit_)                                                     \
-    {                                                                          \
-        .name = #member, .unit = unit_, .text = "material." #member,           \
-        .offset = offsetof(struct provenance, material.member),                \
-        .kind = RECORD_REAL                                                    \
-    }
+    FIELD_AS(provenance, REAL, #member, material.member, unit_,                \
+             "material." #member)
 
 static const struct record_type record_provenance = RECORD(
     provenance, "provenance", "how a file came to be",

@@ -15,10 +15,7 @@
 #include "slow_tolerance.h"
 
 #define STATE(name_, unit_, text_)                                             \
-    {                                                                          \
-        .name = #name_, .unit = unit_, .text = text_,                          \
-        .offset = offsetof(struct push_answer, at.name_), .kind = RECORD_REAL  \
-    }
+    FIELD_AS(push_answer, REAL, #name_, at.name_, unit_, text_)
 
 enum { STATE_FIELDS = 3 };
 static const struct record_field push_fields[] = {
@@ -34,12 +31,9 @@ static const struct record_field push_fields[] = {
           "factor on v to the nearest other fate"),
     FIELD(push_answer, QUANTITY, psi_kick, "kick of psi",
           "factor on psi (or shift of it) to the nearest other fate"),
-    { .name = "arrest_linear",
-      .unit = "1",
-      .text = "probability that it creeps or rests, with the inputs normal and "
-              "ln v_kick linear in them",
-      .offset = offsetof(struct push_answer, arrest),
-      .kind = RECORD_REAL },
+    FIELD_AS(push_answer, REAL, "arrest_linear", arrest, "1",
+             "probability that it creeps or rests, with the inputs normal and "
+             "ln v_kick linear in them"),
 };
 #define PUSH_RECORD(first, last)                                               \
     {                                                                          \

@@ -68,12 +68,15 @@ struct record_type {
     size_t size; /* sizeof the struct */
 };
 
-/* A line of a table: a member of a struct, and of one that holds a code. */
-#define FIELD(struct_, kind_, member, unit_, text_)                            \
+/* A line of a table: a member of a struct, by its name or by another; and one
+ * that holds a code. */
+#define FIELD_AS(struct_, kind_, name_, member, unit_, text_)                  \
     {                                                                          \
-        .name = #member, .unit = unit_, .text = text_,                         \
+        .name = name_, .unit = unit_, .text = text_,                           \
         .offset = offsetof(struct struct_, member), .kind = RECORD_##kind_     \
     }
+#define FIELD(struct_, kind_, member, unit_, text_)                            \
+    FIELD_AS(struct_, kind_, #member, member, unit_, text_)
 #define FIELD_CODE(struct_, member, words, text_)                              \
     {                                                                          \
         .name = #member, .unit = "1", .text = text_,                           \
@@ -165,6 +168,19 @@ static inline void record_settle(const struct record_type *type, void *at,
         char *record = (char *) at + i / type->count * type->size;
         if (f->kind == RECORD_QUANTITY)
             quantity_settle((struct quantity *) (void *) (record + f->offset));
+    }
+}
+
+/* All numbers of a record are none, for that reason, and its reals NaN. */
+static inline void record_absent(const struct record_type *type, void *at,
+                                 const char *reason)
+{
+    for (size_t i = 0; i < type->count; i++) {
+        void *member = (char *) at + type->fields[i].offset;
+        if (type->fields[i].kind == RECORD_QUANTITY)
+            *(struct quantity *) member = quantity_none(reason);
+        else if (type->fields[i].kind == RECORD_REAL)
+            *(double *) member = (double) __builtin_nanf("");
     }
 }
 

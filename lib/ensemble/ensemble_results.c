@@ -7,10 +7,7 @@
 #include "rows.h"
 
 #define REAL(struct_, name_, member, text_)                                    \
-    {                                                                          \
-        .name = name_, .unit = "1", .text = text_,                             \
-        .offset = offsetof(struct struct_, member), .kind = RECORD_REAL        \
-    }
+    FIELD_AS(struct_, REAL, name_, member, "1", text_)
 #define ESTIMATE(struct_, name_, member, text_, of)                            \
     REAL(struct_, name_, member.value, text_),                                 \
         REAL(struct_, name_ "_error", member.error,                            \

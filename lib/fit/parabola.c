@@ -228,31 +228,10 @@ static const char *warning_of(const struct parabola *p)
 /* Nothing but a reason. */
 static struct parabola no_fit(const char *reason)
 {
-    const struct quantity none = quantity_none(reason);
-    const double nan = (double) NAN;
+    struct parabola p = { .warning = reason };
 
-    return (struct parabola){
-        .mu_s = none,
-        .mu_half = none,
-        .factor = none,
-        .mu_middle = none,
-        .mu_s_low = nan,
-        .mu_s_high = nan,
-        .mu_half_low = nan,
-        .mu_half_high = nan,
-        .factor_low = nan,
-        .factor_high = nan,
-        .mu_s_deviation = nan,
-        .mu_half_deviation = nan,
-        .factor_deviation = nan,
-        .mu_s_mu_half = nan,
-        .mu_s_factor = nan,
-        .mu_half_factor = nan,
-        .chi2 = nan,
-        .scatter = nan,
-        .chance = nan,
-        .warning = reason,
-    };
+    record_absent(&record_parabola, &p, reason);
+    return p;
 }
 
 static struct parabola report(const struct bow *b)

@@ -54,24 +54,10 @@ static void curve(const void *ctx, double t, const double p[], double *value,
 
 static struct persistence no_fit(const char *reason)
 {
-    const struct quantity none = quantity_none(reason);
-    const double nan = (double) NAN;
+    struct persistence p = { .warning = reason };
 
-    return (struct persistence){
-        .L = none,
-        .mu_star = none,
-        .L_low = nan,
-        .L_high = nan,
-        .mu_star_low = nan,
-        .mu_star_high = nan,
-        .L_deviation = nan,
-        .mu_star_deviation = nan,
-        .L_mu_star = nan,
-        .chi2 = nan,
-        .scatter = nan,
-        .chance = nan,
-        .warning = reason,
-    };
+    record_absent(&record_persistence, &p, reason);
+    return p;
 }
 
 static struct persistence report(const struct least *f, double scale)

@@ -160,11 +160,8 @@ static const struct record_type record_count = RECORD(
 
 static const struct record_type record_share =
     RECORD(plane_rest, "share", "the basin of an equilibrium",
-           { .name = "fraction",
-             .unit = "1",
-             .text = "of the window, by area as it is drawn",
-             .offset = offsetof(struct plane_rest, share),
-             .kind = RECORD_QUANTITY });
+           FIELD_AS(plane_rest, QUANTITY, "fraction", share, "1",
+                    "of the window, by area as it is drawn"));
 
 static const struct record_type record_elsewhere = RECORD(
     plane_elsewhere, "elsewhere", "shares that are no equilibrium's",

@@ -167,10 +167,7 @@ void stress_free(struct stress *s)
 _Static_assert(sizeof(size_t) == sizeof(int64_t), "counts of record.h");
 
 #define OUTCOME(word, code)                                                    \
-    {                                                                          \
-        .name = word, .unit = "1", .text = "cases that came to this",          \
-        .offset = offsetof(struct stress, outcome[code]), .kind = RECORD_COUNT \
-    }
+    FIELD_AS(stress, COUNT, word, outcome[code], "1", "cases that came to this")
 
 static const struct record_type record_outcomes = RECORD(
     stress, "outcomes", "how many came to what", OUTCOME("exact", STRESS_EXACT),

@@ -268,12 +268,8 @@ void workprec_free(struct workprec *w)
 /* ---- what it says -------------------------------------------------------- */
 
 #define MISSING(word, code)                                                    \
-    {                                                                          \
-        .name = word, .unit = "1",                                             \
-        .text = "why this slope has no such quantity, if it has none",         \
-        .offset = offsetof(struct workprec, task.reason[code]),                \
-        .kind = RECORD_TEXT                                                    \
-    }
+    FIELD_AS(workprec, TEXT, word, task.reason[code], "1",                     \
+             "why this slope has no such quantity, if it has none")
 
 static const struct record_type record_missing = RECORD(
     workprec, "reasons", "what is missing", MISSING("v_plus", WORKPREC_V_PLUS),

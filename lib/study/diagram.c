@@ -150,11 +150,8 @@ static const struct record_type record_block =
 
 static const struct record_type record_comment =
     RECORD(fold_curve, "comment", "why there is no curve",
-           { .name = "comment",
-             .unit = "1",
-             .text = "why there is no curve, if there is none",
-             .offset = offsetof(struct fold_curve, reason),
-             .kind = RECORD_TEXT });
+           FIELD_AS(fold_curve, TEXT, "comment", reason, "1",
+                    "why there is no curve, if there is none"));
 
 /* Of the axis v, and of a layer. */
 struct rate {

@@ -148,12 +148,8 @@ const struct record_type record_xi = RECORD(
     FIELD(xi_number, QUANTITY, G, "L", "fracture energy (32)"));
 
 #define BY(parameter, name_, unit_, text_)                                     \
-    {                                                                          \
-        .name = name_, .unit = unit_, .text = text_,                           \
-        .offset =                                                              \
-            offsetof(struct sensitivity_numbers, by[PARAMETER_##parameter]),   \
-        .kind = RECORD_QUANTITY                                                \
-    }
+    FIELD_AS(sensitivity_numbers, QUANTITY, name_, by[PARAMETER_##parameter],  \
+             unit_, text_)
 
 const struct record_type record_sensitivity = RECORD(
     sensitivity_numbers, "sensitivities",
@@ -241,11 +237,7 @@ static const struct record_type record_root = RECORD_OF(
     struct quantity, "roots", "roots of chi",
     FIELD_OF(QUANTITY, "roots", "V_star", "root of chi(v) = 1, (34)"));
 #define ROOT(name_, member, text_)                                             \
-    {                                                                          \
-        .name = name_, .unit = "V_star", .text = text_,                        \
-        .offset = offsetof(struct estimate_numbers, member),                   \
-        .kind = RECORD_QUANTITY                                                \
-    }
+    FIELD_AS(estimate_numbers, QUANTITY, name_, member, "V_star", text_)
 static const struct record_type record_chi =
     RECORD(estimate_numbers, "chi", "roots of chi on both sides",
            ROOT("v_minus", chi_v_minus, "root of chi(v) = 1 below v_sp, (34)"),

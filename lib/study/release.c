@@ -187,11 +187,10 @@ static enum status read_data(struct release *r, const char *path,
 
 static struct release_material no_material(const char *reason)
 {
-    const struct quantity none = quantity_none(reason);
-    const double nan = (double) NAN;
+    struct release_material p;
 
-    return (
-        struct release_material){ none, none, nan, nan, nan, nan, nan, nan };
+    record_absent(&record_release_material, &p, reason);
+    return p;
 }
 
 static struct release_material find_material(const struct release *r,

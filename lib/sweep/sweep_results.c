@@ -44,16 +44,10 @@ RESULT_VIEW(view_audit, sweep_point, &s->study.basins.audit, 1)
 
 static const struct record_type record_arrow_cell =
     RECORD(arrow, "arrow", "direction field",
-           { .name = "direction_v",
-             .unit = "1",
-             .text = "unit direction as drawn, along v",
-             .offset = offsetof(struct arrow, direction.x),
-             .kind = RECORD_REAL },
-           { .name = "direction_psi",
-             .unit = "1",
-             .text = "unit direction as drawn, along psi",
-             .offset = offsetof(struct arrow, direction.y),
-             .kind = RECORD_REAL },
+           FIELD_AS(arrow, REAL, "direction_v", direction.x, "1",
+                    "unit direction as drawn, along v"),
+           FIELD_AS(arrow, REAL, "direction_psi", direction.y, "1",
+                    "unit direction as drawn, along psi"),
            FIELD(arrow, REAL, log10_speed, "log10(V_star/L)",
                  "log10 of the speed in (ln v, ln psi) per L/V_star"));
 
