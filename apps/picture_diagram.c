@@ -22,19 +22,20 @@ static const char *law_name(const struct sheet *p, int law)
 
 /* ---- friction laws, Fig 1(a) --------------------------------------------- */
 
-static void mark_extrema(const struct sheet *p, const struct steady_curve *c)
+/* Those between v[0] and v[1]: at their friction, as what kind they are, or
+ * where no friction is shown at 0. */
+static void mark_extrema(const struct sheet *p, const struct extremum all[],
+                         size_t count, const double v[2], bool friction)
 {
-    const double *v = p->s->scene->window.v;
-
-    for (size_t i = 0; i < c->extrema; i++) {
-        const struct extremum *e = &c->extremum[i];
+    for (size_t i = 0; i < count; i++) {
+        const struct extremum *e = &all[i];
         char name[64], entry[96];
         if (!(e->v.value >= v[0] && e->v.value <= v[1]))
             continue;
         sheet_name(p, e, name);
         snprintf(entry, sizeof entry, "%s: %s", extremum_names[e->kind], name);
-        sheet_mark(p, e->v.value * p->unit, e->mu.value, sheet_mark_of(e),
-                   entry);
+        sheet_mark(p, e->v.value * p->unit, friction ? e->mu.value : 0.0,
+                   sheet_mark_of(e), friction ? entry : name);
     }
 }
 
@@ -57,7 +58,7 @@ static void draw_friction_law(const struct sheet *p)
     sheet_start(p, &x, &y);
     for (int i = DIAGRAM_LAWS; i-- > 0;)
         sheet_line(p, &line[i], law_style[i], law_name(p, i));
-    mark_extrema(p, c);
+    mark_extrema(p, c->extremum, c->extrema, p->s->scene->window.v, true);
 }
 
 /* ---- spring-block, Fig 1(b) ---------------------------------------------- */
@@ -102,20 +103,6 @@ static void shade_stick_slip(const struct sheet *p, const struct line *l)
     shade(p, "stick-slip", &ground);
 }
 
-static void mark_speeds(const struct sheet *p, const struct spring_curve *c)
-{
-    const double *v = p->s->scene->spring_block.v;
-
-    for (size_t i = 0; i < c->extrema; i++) {
-        const struct extremum *e = &c->extremum[i];
-        char name[64];
-        if (!(e->v.value >= v[0] && e->v.value <= v[1]))
-            continue;
-        sheet_name(p, e, name);
-        sheet_mark(p, e->v.value * p->unit, 0.0, sheet_mark_of(e), name);
-    }
-}
-
 enum { SPRING_LINES = 2 * DIAGRAM_LAWS }; /* each with inertia, and without */
 
 static void add_springs(const struct sheet *p, struct line line[SPRING_LINES])
@@ -155,7 +142,8 @@ static void draw_spring_block(const struct sheet *p)
         sheet_linear("spring stiffness " ITALIC("k") " (Pa/m)", range);
     sheet_start(p, &x, &y);
     add_springs(p, line);
-    mark_speeds(p, c);
+    mark_extrema(p, c->extremum, c->extrema, p->s->scene->spring_block.v,
+                 false);
 }
 
 /* ---- bifurcation diagram, Fig 3 ------------------------------------------ */

@@ -160,66 +160,64 @@ static enum status add_states(const struct reading *r)
     return status;
 }
 
-static enum status add_parameters(const struct reading *r)
-{
-    const struct node *n = section(r, "parameters");
-    enum status status =
-        expect_map(n, "system.parameters", "{NAME: NUMBER, ...}", r->why);
-    struct origin o;
-    double x;
-
-    for (size_t i = 0; i < r->ode.count && status == STATUS_OK; i++) {
-        const struct statement *t = &r->ode.at[i];
-        if (!t->rate && number_read(t->text, &x) && !node_find(n, t->name))
-            status = formula_system_parameter(r->system, t->name, t->text,
-                                              *origin_of(&o, r->s, r->ode_node),
-                                              r->why);
-    }
-    for (size_t i = 0; n && i < n->count && status == STATUS_OK; i++) {
-        const struct node *p = n->child[i];
-        status =
-            p->kind == NODE_SCALAR && number_read(p->text, &x) && isfinite(x)
-                ? formula_system_parameter(r->system, p->key, p->text,
-                                           *origin_of(&o, r->s, p), r->why)
-                : place_blame(p->at, r->why,
-                              "system.parameters.%s: %s is not allowed, "
-                              "expected a number",
-                              text_shown(p->key).text, node_shown(p).text);
-    }
-    return status;
-}
-
 typedef enum status adder(struct formula_system *s, const char *name,
                           const char *text, struct formula_place at,
                           struct fault *why);
 
-/* The ode's formulas of this kind, then those of the section. */
-static enum status add_formulas(const struct reading *r, const char *key,
-                                bool rates, adder *add)
+enum part { PARAMETER, DEFINITION, RATE };
+
+static const struct {
+    const char *key, *shape, *what;
+    adder *add;
+} parts[] = {
+    [PARAMETER] = { "parameters", "{NAME: NUMBER, ...}", "a number",
+                    formula_system_parameter },
+    [DEFINITION] = { "define", "{NAME: FORMULA, ...}", "a formula",
+                     formula_system_define },
+    [RATE] = { "rates", "{NAME: FORMULA, ...}", "a formula",
+               formula_system_rate },
+};
+
+static enum part part_of(const struct statement *t)
 {
-    const struct node *n = section(r, key);
-    char path[32];
-    struct origin o;
     double x;
 
-    snprintf(path, sizeof path, "system.%s", key);
-    enum status status = expect_map(n, path, "{NAME: FORMULA, ...}", r->why);
+    return t->rate ? RATE : number_read(t->text, &x) ? PARAMETER : DEFINITION;
+}
+
+static bool is_part(const struct node *n, enum part part)
+{
+    double x;
+
+    return n->kind == NODE_SCALAR &&
+           (part != PARAMETER || (number_read(n->text, &x) && isfinite(x)));
+}
+
+/* Those of the ode, of parameters those that the section does not set, then
+ * those of the section. */
+static enum status add_part(const struct reading *r, enum part part)
+{
+    const struct node *n = section(r, parts[part].key);
+    char path[32];
+    struct origin o;
+
+    snprintf(path, sizeof path, "system.%s", parts[part].key);
+    enum status status = expect_map(n, path, parts[part].shape, r->why);
     for (size_t i = 0; i < r->ode.count && status == STATUS_OK; i++) {
         const struct statement *t = &r->ode.at[i];
-        if (t->rate == rates && (rates || !number_read(t->text, &x)))
-            status = add(r->system, t->name, t->text,
-                         *origin_of(&o, r->s, r->ode_node), r->why);
+        if (part_of(t) == part && (part != PARAMETER || !node_find(n, t->name)))
+            status = parts[part].add(r->system, t->name, t->text,
+                                     *origin_of(&o, r->s, r->ode_node), r->why);
     }
     for (size_t i = 0; n && i < n->count && status == STATUS_OK; i++) {
         const struct node *p = n->child[i];
-        status = p->kind == NODE_SCALAR
-                     ? add(r->system, p->key, p->text, *origin_of(&o, r->s, p),
-                           r->why)
+        status = is_part(p, part)
+                     ? parts[part].add(r->system, p->key, p->text,
+                                       *origin_of(&o, r->s, p), r->why)
                      : place_blame(p->at, r->why,
-                                   "%s.%s: %s is not allowed, expected a "
-                                   "formula",
+                                   "%s.%s: %s is not allowed, expected %s",
                                    path, text_shown(p->key).text,
-                                   node_shown(p).text);
+                                   node_shown(p).text, parts[part].what);
     }
     return status;
 }
@@ -276,12 +274,8 @@ static enum status read_system(struct reading *r)
         status = statements_read(r->ode_node, &r->ode_text, &r->ode, r->why);
     if (status == STATUS_OK)
         status = add_states(r);
-    if (status == STATUS_OK)
-        status = add_parameters(r);
-    if (status == STATUS_OK)
-        status = add_formulas(r, "define", false, formula_system_define);
-    if (status == STATUS_OK)
-        status = add_formulas(r, "rates", true, formula_system_rate);
+    for (int part = PARAMETER; part <= RATE && status == STATUS_OK; part++)
+        status = add_part(r, (enum part) part);
     if (status == STATUS_OK)
         status = add_observables(r);
     if (status == STATUS_OK)
