@@ -17,37 +17,28 @@ struct column column_of(const struct record_field *f)
                             .codes = f->codes };
 }
 
-hid_t column_type(const struct store *st, const struct column *c)
+/* In memory, or as stored: little-endian everywhere, so that machines agree on
+ * bytes. */
+static hid_t type_of(const struct store *st, const struct column *c,
+                     bool stored)
 {
     switch (c->kind) {
         case RECORD_COUNT:
-            return H5T_NATIVE_INT64;
+            return stored ? H5T_STD_I64LE : H5T_NATIVE_INT64;
         case RECORD_CODE:
-            return H5T_NATIVE_INT8;
+            return stored ? H5T_STD_I8LE : H5T_NATIVE_INT8;
         case RECORD_TEXT:
             return st->handles.texts;
         case RECORD_REAL:
         case RECORD_QUANTITY:
             break;
     }
-    return H5T_NATIVE_DOUBLE;
+    return stored ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE;
 }
 
-/* As stored: little-endian everywhere, so that machines agree on bytes. */
-static hid_t file_type(const struct store *st, const struct column *c)
+hid_t column_type(const struct store *st, const struct column *c)
 {
-    switch (c->kind) {
-        case RECORD_COUNT:
-            return H5T_STD_I64LE;
-        case RECORD_CODE:
-            return H5T_STD_I8LE;
-        case RECORD_TEXT:
-            return st->handles.texts;
-        case RECORD_REAL:
-        case RECORD_QUANTITY:
-            break;
-    }
-    return H5T_IEEE_F64LE;
+    return type_of(st, c, false);
 }
 
 static void put_fill(struct store *st, hid_t set, const struct column *c)
@@ -56,10 +47,10 @@ static void put_fill(struct store *st, hid_t set, const struct column *c)
     const int8_t no_code = -1;
 
     if (c->kind == RECORD_REAL)
-        hdf_put(st, set, "_FillValue", 1, 1, file_type(st, c),
+        hdf_put(st, set, "_FillValue", 1, 1, type_of(st, c, true),
                 column_type(st, c), &no_value);
     if (c->kind == RECORD_CODE)
-        hdf_put(st, set, "_FillValue", 1, 1, file_type(st, c),
+        hdf_put(st, set, "_FillValue", 1, 1, type_of(st, c, true),
                 column_type(st, c), &no_code);
 }
 
@@ -117,9 +108,10 @@ static hid_t column_make_set(struct store *st, hid_t group,
     const bool large = rank >= 2 && values >= STORE_LARGE;
     const hid_t list =
         large ? column_chunked(st, c, rank, extent) : st->handles.set[c->kind];
-    const hid_t set = hdf_took(st, H5Dcreate2(group, c->name, file_type(st, c),
-                                              hdf_space(st, rank, extent),
-                                              H5P_DEFAULT, list, H5P_DEFAULT));
+    const hid_t set =
+        hdf_took(st, H5Dcreate2(group, c->name, type_of(st, c, true),
+                                hdf_space(st, rank, extent), H5P_DEFAULT, list,
+                                H5P_DEFAULT));
     if (large)
         hdf_close(list);
     return set;
