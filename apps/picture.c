@@ -142,13 +142,11 @@ static int piece_chords(const struct picture *p, const struct curve *c,
 static struct line curve_line(const struct picture *p, const struct curve *c)
 {
     struct line l = LINE_EMPTY;
-    double at[CURVE_DIM_MAX];
 
     for (size_t i = 0; i < c->count; i++) {
         const int chords = piece_chords(p, c, i);
         for (int k = i == 0 ? 0 : 1; k <= chords; k++) {
-            curve_at(c, i, (double) k / chords, at);
-            add_point(p, &l, (struct vec2){ at[0], at[1] });
+            add_point(p, &l, curve_point(c, i, (double) k / chords));
         }
     }
     return l;

@@ -79,14 +79,13 @@ static void add_pieces(const struct picture *p, struct stroke *t,
                        int way)
 {
     enum { PER_PIECE = 48 };
-    double at[CURVE_DIM_MAX];
 
     for (size_t i = 0; i < pieces; i++)
         for (int k = i > 0; k <= PER_PIECE; k++) {
             const double part = (double) k / PER_PIECE;
-            curve_at(c, way > 0 ? i : pieces - 1 - i,
-                     way > 0 ? part : 1.0 - part, at);
-            add(p, t, vec2_add(origin, (struct vec2){ at[0], at[1] }));
+            add(p, t,
+                vec2_add(origin, curve_point(c, way > 0 ? i : pieces - 1 - i,
+                                             way > 0 ? part : 1.0 - part)));
         }
 }
 

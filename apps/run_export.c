@@ -26,15 +26,6 @@ static const unsigned exchange_products =
 
 /* ---- branches ------------------------------------------------------------ */
 
-/* Point `theta` of a piece, as an offset. */
-static struct vec2 point(const struct branch *b, size_t piece, double theta)
-{
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&b->curve, piece, theta, at);
-    return (struct vec2){ at[0], at[1] };
-}
-
 /* |d other/d running| at z, where coordinate `running` runs to infinity. */
 static double slope_at(const struct planar *sys, int running, struct vec2 z)
 {
@@ -68,12 +59,13 @@ static double way_to_limit(const struct planar *sys, const struct branch *b)
 static struct interchange_branch branch_of(const struct study *s, int side)
 {
     const struct branch *b = &s->stable[side];
-    const struct vec2 start = point(b, 0, 1.0); /* piece 0 is the series */
+    const struct vec2 start =
+        curve_point(&b->curve, 0, 1.0); /* piece 0 is the series */
     struct vec2 last = start;
     double length = 0.0;
 
     for (size_t i = 1; i < b->curve.count; i++) {
-        const struct vec2 next = point(b, i, 1.0);
+        const struct vec2 next = curve_point(&b->curve, i, 1.0);
         length += hypot(next.x - last.x, next.y - last.y);
         last = next;
     }

@@ -31,10 +31,8 @@ struct approach {
 
 static double distance_at(const struct approach *a, double theta)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(a->c, a->piece, theta, at);
-    const struct vec2 z = vec2_add(a->origin, (struct vec2){ at[0], at[1] });
+    const struct vec2 z =
+        vec2_add(a->origin, curve_point(a->c, a->piece, theta));
     return vec2_length(arrival_from(a->s, z, a->to));
 }
 

@@ -64,11 +64,9 @@ struct defect_slope defect_look(const struct planar *sys,
                                 const struct branch *b, size_t piece,
                                 double theta)
 {
-    double at[CURVE_DIM_MAX];
     struct planar_jacobian J;
 
-    curve_at(&b->curve, piece, theta, at);
-    const struct vec2 z = { at[0], at[1] };
+    const struct vec2 z = curve_point(&b->curve, piece, theta);
     sys->jacobian(sys->ctx, z, &J);
     return slope_of(branch_graph(b, piece), z, &J);
 }

@@ -43,10 +43,7 @@ struct seeker {
 
 static struct vec2 point_of(const struct seeker *s, double theta)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&s->b->curve, s->piece, theta, at);
-    return (struct vec2){ at[0], at[1] };
+    return curve_point(&s->b->curve, s->piece, theta);
 }
 
 /* dy - dx over |d ind|, of the slope d dep/d ind. */

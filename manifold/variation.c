@@ -136,14 +136,6 @@ static void solve(size_t n, double A[NODES][NODES],
             right[k][j] /= A[k][k];
 }
 
-static struct vec2 point_at(const struct branch *b, size_t piece, double theta)
-{
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&b->curve, piece, theta, at);
-    return (struct vec2){ at[0], at[1] };
-}
-
 /* d eta/d theta at the nodes of [from, from + width] of a piece. */
 static void find_rates(const struct walk *w, size_t piece, double from,
                        double width, double rate[NODES][VARIATION_MAX])
@@ -156,7 +148,7 @@ static void find_rates(const struct walk *w, size_t piece, double from,
     for (size_t i = 0; i < c->n; i++) {
         const double theta = from + width * c->node[i];
         double grow;
-        equation_at(w, point_at(w->b, piece, theta), &grow, rate[i]);
+        equation_at(w, curve_point(&w->b->curve, piece, theta), &grow, rate[i]);
         for (size_t j = 0; j < c->n; j++)
             A[i][j] = (i == j) - unit * grow * c->partial[i][j];
         for (size_t p = 0; p < w->v->count; p++)
@@ -259,10 +251,11 @@ void variation_along(const struct planar *sys, const struct branch *b,
     for (size_t piece = 0; piece < b->curve.count; piece++) {
         const int ind = branch_graph(b, piece);
         if (ind != w.ind)
-            change_graph(&w, ind, point_at(b, piece, 0.0));
+            change_graph(&w, ind, curve_point(&b->curve, piece, 0.0));
         cross_piece(&w, piece);
     }
-    equation_at(&w, point_at(b, b->curve.count - 1, 1.0), &grow, push);
+    equation_at(&w, curve_point(&b->curve, b->curve.count - 1, 1.0), &grow,
+                push);
     for (size_t i = 0; i < v->count; i++) {
         end[i] = w.eta[i];
         rest[i] = fabs(grow * w.eta[i] + push[i]);

@@ -18,10 +18,7 @@ struct passage {
 
 static struct vec2 point_at(const struct passage *p, double theta)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(p->c, p->piece, theta, at);
-    return (struct vec2){ at[0], at[1] };
+    return curve_point(p->c, p->piece, theta);
 }
 
 static bool rises(const struct passage *p, double theta)

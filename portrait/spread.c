@@ -83,11 +83,8 @@ bool spread_take(struct spread *s, struct vec2 *z)
 static struct vec2 unit_at(const struct spread *s, const struct curve *c,
                            size_t piece, double theta, struct vec2 origin)
 {
-    double u[CURVE_DIM_MAX];
-
-    curve_at(c, piece, theta, u);
     return window_unit(s->window,
-                       vec2_add(origin, (struct vec2){ u[0], u[1] }));
+                       vec2_add(origin, curve_point(c, piece, theta)));
 }
 
 void spread_avoid(struct spread *s, const struct curve *c, struct vec2 origin)

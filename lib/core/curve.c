@@ -26,17 +26,28 @@ const double *curve_component(const struct curve *c, size_t piece, size_t i)
     return c->coef + p->first + i * (p->degree + 1);
 }
 
-void curve_at(const struct curve *c, size_t piece, double theta, double out[])
+static double value_of(const struct curve *c, size_t piece, size_t i,
+                       double theta)
 {
     const size_t degree = c->piece[piece].degree;
+    const double *u = curve_component(c, piece, i);
+    double sum = u[degree];
 
-    for (size_t i = 0; i < c->dim; i++) {
-        const double *u = curve_component(c, piece, i);
-        double sum = u[degree];
-        for (size_t j = degree; j-- > 0;)
-            sum = sum * theta + u[j];
-        out[i] = sum;
-    }
+    for (size_t j = degree; j-- > 0;)
+        sum = sum * theta + u[j];
+    return sum;
+}
+
+void curve_at(const struct curve *c, size_t piece, double theta, double out[])
+{
+    for (size_t i = 0; i < c->dim; i++)
+        out[i] = value_of(c, piece, i, theta);
+}
+
+struct vec2 curve_point(const struct curve *c, size_t piece, double theta)
+{
+    return (struct vec2){ value_of(c, piece, 0, theta),
+                          value_of(c, piece, 1, theta) };
 }
 
 void curve_slope_at(const struct curve *c, size_t piece, double theta,

@@ -12,6 +12,7 @@
 
 #include <stddef.h>
 
+#include "plane.h"
 #include "status.h"
 
 enum { CURVE_DIM_MAX = 10 };
@@ -45,6 +46,9 @@ MUST_CHECK enum status curve_push(struct curve *c, size_t degree,
 
 /* All components at theta on a piece: out[0 .. dim-1]. */
 void curve_at(const struct curve *c, size_t piece, double theta, double out[]);
+
+/* The first two of them. */
+struct vec2 curve_point(const struct curve *c, size_t piece, double theta);
 
 /* d/dtheta of all components. */
 void curve_slope_at(const struct curve *c, size_t piece, double theta,

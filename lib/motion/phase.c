@@ -58,10 +58,7 @@ static size_t find(const struct slider *s, const struct transient *t,
 /* Whether the run starts where phase 2 (phase 3) would take place. */
 static bool starts_near(const struct slider *s, const struct transient *t)
 {
-    double u[CURVE_DIM_MAX];
-
-    curve_at(&t->curve, 0, 0.0, u);
-    return fabs(moment_excess_friction(s, (struct vec2){ u[0], u[1] })) <=
+    return fabs(moment_excess_friction(s, curve_point(&t->curve, 0, 0.0))) <=
            nearness(s);
 }
 

@@ -278,10 +278,7 @@ static enum status settle(struct plane_study *s, struct plane_branch *b,
 /* An offset on the last piece. */
 static struct vec2 on_last(const struct branch *b, double theta)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&b->curve, b->curve.count - 1, theta, at);
-    return (struct vec2){ at[0], at[1] };
+    return curve_point(&b->curve, b->curve.count - 1, theta);
 }
 
 /* How far the last piece goes in x or y. */

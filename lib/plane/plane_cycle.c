@@ -37,14 +37,13 @@ void plane_cycle_divergence(const struct planar *sys, const struct curve *c,
     static const double weight[] = { 0.5688888888888889, 0.4786286704993665,
                                      0.4786286704993665, 0.2369268850561891,
                                      0.2369268850561891 };
-    double at[CURVE_DIM_MAX], slope[CURVE_DIM_MAX];
+    double slope[CURVE_DIM_MAX];
     struct planar_jacobian J;
 
     for (int k = 0; k < 10; k++) {
         const double t = 0.25 * theta * (1.0 + 2.0 * (k / 5) + node[k % 5]);
-        curve_at(c, piece, t, at);
         curve_slope_at(c, piece, t, slope);
-        sys->jacobian(sys->ctx, (struct vec2){ at[0], at[1] }, &J);
+        sys->jacobian(sys->ctx, curve_point(c, piece, t), &J);
         const struct vec2 f = J.field.direction;
         const double dt =
             (slope[0] * f.x + slope[1] * f.y) / (f.x * f.x + f.y * f.y);

@@ -8,10 +8,7 @@
 struct vec2 plane_length_point(const struct plane_branch *b, struct vec2 origin,
                                size_t piece, double theta)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&b->curve.curve, piece, theta, at);
-    return vec2_add(origin, (struct vec2){ at[0], at[1] });
+    return vec2_add(origin, curve_point(&b->curve.curve, piece, theta));
 }
 
 /* Up to where it last leaves the window, for good. */

@@ -242,13 +242,12 @@ static bool rotates(const struct walk *w, struct plane_goal *out)
     const struct vec2 *at = h->at, by = vec2_sub(at[0], at[1]);
     const double gap = apart(w->s, by, vec2_sub(at[1], at[2])),
                  far = apart(w->s, at[0], at[1]);
-    double sum[2] = { 0.0, 0.0 }, start[2] = { 0.0, 0.0 }, z[CURVE_DIM_MAX];
+    double sum[2] = { 0.0, 0.0 }, start[2] = { 0.0, 0.0 };
 
     if (w->stiff || h->count < 3 || !(gap <= TOL_WITHIN && far > TOL_SEEN))
         return false;
     for (size_t i = h->piece[1] - 1; i + 1 < h->piece[0]; i++) {
-        curve_at(curve_of(w), i, 0.0, z);
-        if (!is_periodic(w, (struct vec2){ z[0], z[1] }, by))
+        if (!is_periodic(w, curve_point(curve_of(w), i, 0.0), by))
             return false;
         plane_cycle_divergence(w->system, curve_of(w), i, 1.0, sum);
     }
@@ -314,12 +313,10 @@ static void break_off(struct plane_goal *out)
 static void come_to_rest(struct walk *w, double theta, struct plane_goal *out)
 {
     const struct curve *c = curve_of(w);
-    double at[CURVE_DIM_MAX];
     struct plane_beyond end;
 
-    curve_at(c, c->count - 1, theta, at);
     const struct vec2 z =
-        vec2_add(w->system->origin, (struct vec2){ at[0], at[1] });
+        vec2_add(w->system->origin, curve_point(c, c->count - 1, theta));
     if (plane_beyond_at(w->s, z, w->backward, false, &end))
         *out = (struct plane_goal){ .kind = PLANE_GOAL_BEYOND, .beyond = end };
 }

@@ -16,10 +16,7 @@ struct sampler {
 
 static struct vec2 point(const struct sampler *p, size_t piece, double theta)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&p->b->curve.curve, piece, theta, at);
-    return (struct vec2){ at[0], at[1] };
+    return curve_point(&p->b->curve.curve, piece, theta);
 }
 
 static enum status add(struct sampler *p, size_t piece, double theta)

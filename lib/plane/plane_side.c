@@ -33,10 +33,7 @@ static struct vec2 start_of(const struct plane_branch *b)
 static struct vec2 next_to(const struct plane_study *s,
                            const struct plane_branch *b)
 {
-    double at[CURVE_DIM_MAX];
-
-    curve_at(&b->curve.curve, 0, 1.0, at);
-    return vec2_add(s->rest[b->rest].z, (struct vec2){ at[0], at[1] });
+    return vec2_add(s->rest[b->rest].z, curve_point(&b->curve.curve, 0, 1.0));
 }
 
 /* Stable branches 0 and 1 at b[0] and b[1], then the unstable ones; a branch

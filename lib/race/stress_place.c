@@ -17,14 +17,10 @@ struct work {
  * there of a branch that is straight beyond its last one. */
 static bool find_offset(const struct branch *b, double far, struct vec2 *out)
 {
-    double u[CURVE_DIM_MAX];
-
     for (size_t i = 0; i < b->curve.count; i++) {
-        curve_at(&b->curve, i, 1.0, u);
-        if (fmax(fabs(u[0]), fabs(u[1])) >= far) {
-            *out = (struct vec2){ u[0], u[1] };
+        *out = curve_point(&b->curve, i, 1.0);
+        if (fmax(fabs(out->x), fabs(out->y)) >= far)
             return true;
-        }
     }
     *out = b->limit;
     if (b->end == BRANCH_LIMIT_X)

@@ -131,11 +131,9 @@ static void store_points(const struct maker *m, const struct branch *b,
                          int side)
 {
     struct workprec_answer *a = m->out;
-    double u[CURVE_DIM_MAX];
 
     for (size_t i = 0; i < 2 * b->curve.count; i++) {
-        curve_at(&b->curve, i / 2, i % 2 ? 1.0 : 0.5, u);
-        const struct vec2 z = { u[0], u[1] };
+        const struct vec2 z = curve_point(&b->curve, i / 2, i % 2 ? 1.0 : 0.5);
         if (!box_holds(m->c->reach, z) ||
             a->points[side] == WORKPREC_POINTS_MOST)
             return;

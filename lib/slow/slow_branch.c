@@ -24,10 +24,9 @@ struct last_step {
 static double mu_on(const void *ctx, double theta)
 {
     const struct last_step *l = ctx;
-    double u[CURVE_DIM_MAX];
 
-    curve_at(l->curve, l->curve->count - 1, theta, u);
-    return block_mu(&l->slider->block, (struct vec2){ u[0], u[1] });
+    return block_mu(&l->slider->block,
+                    curve_point(l->curve, l->curve->count - 1, theta));
 }
 
 /* The largest friction on the way to a knot, v being largest at an end. */
