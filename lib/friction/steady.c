@@ -33,14 +33,22 @@ static long double typed(struct law_long *p, long double x,
     return (long double) law_quad_steady(&fine, x, what);
 }
 
+static long double steady_at(struct law_long *p, long double x,
+                             enum law_number what)
+{
+    long double off;
+
+    return p->law->typed ? typed(p, x, what, &off)
+                         : law_long_steady(p, x, what);
+}
+
 static long double steady(const struct law *law, const struct material *m,
                           long double x, enum law_number what)
 {
-    long double off;
     struct law_long p;
 
     law_long_init(&p, law, m, 0);
-    return law->typed ? typed(&p, x, what, &off) : law_long_steady(&p, x, what);
+    return steady_at(&p, x, what);
 }
 
 long double steady_mu(const struct law *law, const struct material *m,
@@ -61,9 +69,10 @@ long double steady_mu_log_off(const struct law *law, const struct material *m,
     long double off = 0;
     struct law_long p;
 
-    law_long_init(&p, law, m, 0);
-    if (law->typed)
+    if (law->typed) {
+        law_long_init(&p, law, m, 0);
         (void) typed(&p, x, LAW_AT_MU_LOG, &off);
+    }
     return off;
 }
 
@@ -248,14 +257,27 @@ size_t steady_extrema(const struct law *law, const struct material *m,
     }
 }
 
+/* Something else where a number was steady before. */
+static long double steady_also(struct law_long *p, long double x,
+                               enum law_number what)
+{
+    long double off;
+
+    return p->law->typed ? typed(p, x, what, &off) : law_long_also(p, what);
+}
+
 /* w0 of a law of formulas is that of a friction of this size. */
 long double steady_anchor(const struct law *law, const struct material *m,
                           long double tan_alpha, long double x,
                           bool equilibrium, struct anchor *at)
 {
-    const long double y = steady_y(law, m, x), psi = steady_psi(law, m, x),
-                      mu_ss = steady_mu(law, m, x),
-                      mu_log = steady_mu_log(law, m, x),
+    struct law_long p;
+
+    law_long_init(&p, law, m, 0);
+    const long double y = steady_at(&p, x, LAW_AT_Y),
+                      psi = steady_also(&p, x, LAW_AT_PSI),
+                      mu_ss = steady_also(&p, x, LAW_AT_MU),
+                      mu_log = steady_also(&p, x, LAW_AT_MU_LOG),
                       mu = equilibrium ? tan_alpha : mu_ss;
     const long double a = (long double) m->a, v = expl(x), c = offset(law, m);
     const long double V = m->V_star, gL = (long double) m->g * m->L;
