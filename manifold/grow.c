@@ -67,13 +67,8 @@ static void choose_graph(struct grower *g)
  * are alike. */
 static bool is_alike(const struct grower *g, const struct grower *other)
 {
-    const struct grow_options *a = g->o, *b = other->o;
-    bool alike = g->kin == other->kin && a->order == b->order &&
-                 a->carry.count == b->carry.count;
-
-    for (size_t i = 0; i < a->carry.count && alike; i++)
-        alike = a->carry.which[i] == b->carry.which[i];
-    return alike;
+    return g->kin == other->kin && g->o->order == other->o->order &&
+           many_carry_alike(&g->o->carry, &other->o->carry);
 }
 
 /* How many of the first of n are. */

@@ -9,100 +9,24 @@
  */
 #include "local.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 
+#include "local_lanes.h"
+#include "many.h"
 #include "tolerance.h"
-
-/* Working series: the field along the graph, the same in both lanes. */
-struct graph {
-    const struct planar *sys;
-    struct jet_work work;
-    jet_pair at[2][JET_SIZE]; /* ind = s, dep = u->c */
-    jet_pair f[2][JET_SIZE];
-    jet_pair rate[LOCAL_CARRY_MAX][JET_SIZE];
-};
-
-static void graph_jet(struct graph *g, const struct local_series *u, size_t k)
-{
-    g->at[1 - u->ind][k] = JET_PAIR(u->c[k]);
-    g->at[u->ind][k] = JET_PAIR(k == 1 ? u->unit : 0.0);
-    g->sys->jet(g->sys->ctx, &g->work, k, g->at[0], g->at[1], g->f[0], g->f[1]);
-}
-
-/* What order k leaves on the right when c[k] is still zero. */
-static double defect_of_order(const struct graph *g,
-                              const struct local_series *u, size_t k)
-{
-    const jet_pair *ind = g->f[u->ind];
-    double sum = u->c[1] * ind[k][0];
-
-    for (size_t j = 1; j + 1 < k; j++)
-        sum += (double) (j + 1) * u->c[j + 1] * ind[k - j][0];
-    return g->f[1 - u->ind][k][0] - sum / u->unit;
-}
-
-static void carry_order(struct graph *g, const struct carry *carry, size_t k)
-{
-    for (size_t i = 0; i < carry->count; i++) {
-        if (carry->which[i] == CARRY_TIME)
-            g->rate[i][k] = JET_PAIR(k == 0 ? 1.0 : 0.0);
-        else
-            g->sys->rate_jet(g->sys->ctx, (size_t) carry->which[i], &g->work, k,
-                             g->at[0], g->at[1], g->rate[i]);
-    }
-}
-
-static void build(struct graph *g, const struct carry *carry,
-                  const struct equilibrium *e, enum manifold_kind kind,
-                  struct local_series *u)
-{
-    double lambda = 0.0, other = 0.0;
-
-    for (size_t k = 0; k <= u->order; k++) {
-        if (k >= 2) {
-            u->c[k] = 0.0;
-            graph_jet(g, u, k);
-            u->c[k] = defect_of_order(g, u, k) / ((double) k * lambda - other);
-        } else if (k == 1) {
-            const double unit = exp(e->log_scale - g->work.log_scale[0]);
-            lambda = unit * e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
-            other = unit * e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
-        }
-        graph_jet(g, u, k);
-        carry_order(g, carry, k);
-    }
-}
 
 void local_integral_floor(size_t order, double along, double u[])
 {
+    if (fmin(fabs(u[order - 1]), fabs(u[order])) * fabs(along) > DBL_MIN)
+        return; /* far above: TOL_ROUNDINGS DBL_TRUE_MIN are less */
     const double lost = TOL_ROUNDINGS * DBL_TRUE_MIN / fabs(along);
     const bool nil = fmax(fabs(u[1]), lost) <= INTEGRAL_NIL;
 
     for (size_t k = order - 1; k <= order && !nil; k++)
         if (fabs(u[k]) < lost)
             u[k] = lost;
-}
-
-/* q' = rate/f_ind with both zero at the saddle: divide the shifted series. */
-static void build_integrals(const struct graph *g, const struct carry *carry,
-                            struct local_series *u)
-{
-    const jet_pair *den = g->f[u->ind] + 1;
-    jet_pair quotient[JET_SIZE];
-
-    for (size_t i = 0; i < carry->count; i++) {
-        const jet_pair *rate = g->rate[i];
-        u->converges[i] = rate[0][0] == 0.0;
-        for (size_t k = 0; k <= u->order; k++)
-            u->integral[i][k] = 0.0;
-        for (size_t k = 0; u->converges[i] && k < u->order; k++) {
-            quotient[k] = jet_quotient(k, rate + 1, den, quotient);
-            u->integral[i][k + 1] = u->unit * quotient[k][0] / (double) (k + 1);
-        }
-        if (u->converges[i])
-            local_integral_floor(u->order, den[0][0] / u->unit, u->integral[i]);
-    }
 }
 
 double local_slope(const struct planar *sys, int ind, struct vec2 z)
@@ -169,19 +93,21 @@ static double slope_rounding(const struct equilibrium *e, double lambda,
     return 8.0 * DBL_EPSILON * (lost + 32.0);
 }
 
-static enum status find_radius(const struct planar *sys,
-                               const struct carry *carry, double tol,
-                               double rounding, struct local_series *u)
+static enum status find_radius(const struct local_job *j)
 {
-    double radius = radius_of(u->c, u->order, tol);
+    struct local_series *u = j->out;
+    const double rounding = slope_rounding(
+        j->e, j->e->scaled[j->kind == MANIFOLD_STABLE ? 0 : 1], u);
+    double radius = radius_of(u->c, u->order, j->tol);
 
-    for (size_t i = 0; i < carry->count; i++)
+    for (size_t i = 0; i < j->carry->count; i++)
         if (u->converges[i] && fabs(u->integral[i][1]) > INTEGRAL_NIL)
-            radius = fmin(radius, radius_of(u->integral[i], u->order, tol));
+            radius = fmin(radius, radius_of(u->integral[i], u->order, j->tol));
     radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
     for (int i = 0; i < 60; i++, radius *= 0.5) {
         u->radius = radius;
-        if (slope_defect(sys, u, radius) <= TOL_SLOPE_CHECK * tol + rounding)
+        if (slope_defect(j->sys, u, radius) <=
+            TOL_SLOPE_CHECK * j->tol + rounding)
             return STATUS_OK;
     }
     return STATUS_NO_CONVERGENCE;
@@ -205,25 +131,59 @@ static double length_of(const struct local_series *u)
     return length;
 }
 
-/* The series of the given slope, in a smaller unit - found by bisection of its
- * exponent - where powers of the length over which the field changes would
- * overflow. */
-static void expand(const struct planar *sys, const struct carry *carry,
-                   const struct equilibrium *e, enum manifold_kind kind,
-                   double slope, struct local_series *u)
+/* A series in the making. */
+static struct local_seed seed_of(const struct local_job *j, double unit)
+{
+    const int stable = j->kind == MANIFOLD_STABLE ? 0 : 1;
+    const double along = j->e->scaled[stable],
+                 across = j->e->scaled[1 - stable];
+    const struct vec2 v = mat2_eigenvector(j->e->matrix, along);
+
+    return (struct local_seed){ .ind = j->ind,
+                                .unit = unit,
+                                .slope = local_quotient(j->ind, v),
+                                .along = along,
+                                .across = across,
+                                .log_scale = j->e->log_scale };
+}
+
+/* Those of the first jobs that go side by side; returns how many. */
+static size_t build(struct local_job *const job[], size_t n, double unit)
+{
+    const struct planar *sys[JET_MANY];
+    struct local_series *out[JET_MANY];
+    struct local_seed seed[JET_MANY];
+    const struct planar_many *many = n > 1 ? job[0]->sys->many : NULL;
+    size_t some = 0;
+
+    for (; some < (many ? n : 1) && some < JET_MANY; some++) {
+        const struct local_job *j = job[some];
+        if (!many_alike(job[0]->sys, j->sys) || j->order != job[0]->order ||
+            !many_carry_alike(j->carry, job[0]->carry))
+            break;
+        sys[some] = j->sys;
+        out[some] = j->out;
+        seed[some] = seed_of(j, unit);
+    }
+#ifdef HAVE_WIDE_LANES
+    if (many)
+        (many->width == 8 ? local_build_8 : local_build_4)(
+            sys, job[0]->carry, job[0]->order, some, seed, out);
+    else
+#endif
+        local_build_2(sys, job[0]->carry, job[0]->order, 1, seed, out);
+    return many ? some : 1;
+}
+
+/* Once more in a smaller unit - found by bisection of its exponent - where
+ * powers of the length over which the field changes would overflow. */
+static void shrink(struct local_job *j)
 {
     const double near = TOL_SAME;
-    struct graph g;
     int least = DBL_MIN_EXP, most = 0, exponent = 0;
 
-    g.sys = sys;
-    g.work.linear = g.at[u->ind];
-    u->c[0] = 0.0;
     for (;;) {
-        u->unit = ldexp(1.0, exponent);
-        u->c[1] = slope * u->unit;
-        build(&g, carry, e, kind, u);
-        const double length = length_of(u);
+        const double length = length_of(j->out);
         if (length > near && (length < 1.0 / near || exponent == 0))
             break;
         const bool ends = most - least < 2;
@@ -231,8 +191,49 @@ static void expand(const struct planar *sys, const struct carry *carry,
             break;
         *(length > near ? &least : &most) = exponent;
         exponent = ends ? least : least + (most - least) / 2;
+        build(&j, 1, ldexp(1.0, exponent));
     }
-    build_integrals(&g, carry, u);
+}
+
+static enum status check(const struct local_job *j)
+{
+    const struct local_seed s = seed_of(j, 1.0);
+
+    if (j->sys->jet == NULL || j->order < 4 || j->order >= JET_SIZE)
+        return STATUS_BAD_ARGUMENT;
+    if (j->kind == MANIFOLD_STABLE ? !(s.along < 0.0 && s.across >= 0.0)
+                                   : !(s.along > 0.0 && s.across <= 0.0))
+        return STATUS_NOT_HYPERBOLIC;
+    if (equilibrium_is_beyond(j->e))
+        return STATUS_NOT_HYPERBOLIC;
+    return isfinite(s.slope) ? STATUS_OK : STATUS_NO_CONVERGENCE;
+}
+
+void local_jobs(struct local_job job[], size_t n)
+{
+    struct local_job *good[LOCAL_JOBS];
+    size_t count = 0;
+
+    assert(n <= LOCAL_JOBS);
+    for (size_t i = 0; i < n; i++) {
+        job[i].status = check(&job[i]);
+        if (job[i].status == STATUS_OK)
+            good[count++] = &job[i];
+    }
+    for (size_t i = 0; i < count;)
+        i += build(good + i, count - i, 1.0);
+    for (size_t i = 0; i < count; i++) {
+        shrink(good[i]);
+        good[i]->status = find_radius(good[i]);
+    }
+}
+
+int local_flatter(const struct equilibrium *e, enum manifold_kind kind)
+{
+    const double along = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
+    const struct vec2 v = mat2_eigenvector(e->matrix, along);
+
+    return fabs(v.y) <= fabs(v.x) ? 0 : 1;
 }
 
 enum status local_over(const struct planar *sys, const struct equilibrium *e,
@@ -240,33 +241,17 @@ enum status local_over(const struct planar *sys, const struct equilibrium *e,
                        const struct carry *carry, size_t order, double tol,
                        struct local_series *out)
 {
-    const double lambda = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
-    const double other = e->scaled[kind == MANIFOLD_STABLE ? 1 : 0];
+    struct local_job job = { sys,   e,   kind, ind,      carry,
+                             order, tol, out,  STATUS_OK };
 
-    if (sys->jet == NULL || order < 4 || order >= JET_SIZE)
-        return STATUS_BAD_ARGUMENT;
-    if (kind == MANIFOLD_STABLE ? !(lambda < 0.0 && other >= 0.0)
-                                : !(lambda > 0.0 && other <= 0.0))
-        return STATUS_NOT_HYPERBOLIC;
-    if (equilibrium_is_beyond(e))
-        return STATUS_NOT_HYPERBOLIC;
-    const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
-    const double slope = local_quotient(ind, v);
-    if (!isfinite(slope))
-        return STATUS_NO_CONVERGENCE;
-    out->ind = ind;
-    out->order = order;
-    expand(sys, carry, e, kind, slope, out);
-    return find_radius(sys, carry, tol, slope_rounding(e, lambda, out), out);
+    local_jobs(&job, 1);
+    return job.status;
 }
 
 enum status local_at(const struct planar *sys, const struct equilibrium *e,
                      enum manifold_kind kind, const struct carry *carry,
                      size_t order, double tol, struct local_series *out)
 {
-    const double lambda = e->scaled[kind == MANIFOLD_STABLE ? 0 : 1];
-    const struct vec2 v = mat2_eigenvector(e->matrix, lambda);
-
-    return local_over(sys, e, kind, fabs(v.y) <= fabs(v.x) ? 0 : 1, carry,
-                      order, tol, out);
+    return local_over(sys, e, kind, local_flatter(e, kind), carry, order, tol,
+                      out);
 }

@@ -48,15 +48,35 @@ MUST_CHECK enum status local_at(const struct planar *sys,
                                 const struct carry *carry, size_t order,
                                 double tol, struct local_series *out);
 
-/* The point of the series at s = ind/unit. */
-struct vec2 local_series_at(const struct local_series *u, double s);
-
 /* The same over the coordinate `ind`, flatter or not. */
 MUST_CHECK enum status local_over(const struct planar *sys,
                                   const struct equilibrium *e,
                                   enum manifold_kind kind, int ind,
                                   const struct carry *carry, size_t order,
                                   double tol, struct local_series *out);
+
+/* The same of several systems at once; each has the bits that it has alone. */
+enum { LOCAL_JOBS = JET_MANY };
+struct local_job {
+    const struct planar *sys;
+    const struct equilibrium *e;
+    enum manifold_kind kind;
+    int ind;
+    const struct carry *carry;
+    size_t order;
+    double tol;
+    struct local_series *out;
+    enum status status; /* when it is done */
+};
+
+/* n <= LOCAL_JOBS. */
+void local_jobs(struct local_job job[], size_t n);
+
+/* The coordinate over which local_at has the series. */
+int local_flatter(const struct equilibrium *e, enum manifold_kind kind);
+
+/* The point of the series at s = ind/unit. */
+struct vec2 local_series_at(const struct local_series *u, double s);
 
 /* dep's derivative by ind along a direction, and along the field at z. */
 static inline double local_quotient(int ind, struct vec2 d)

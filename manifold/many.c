@@ -50,6 +50,15 @@ bool many_alike(const struct planar *sys, const struct planar *other)
                             sys->many->alike(sys->ctx, other->ctx));
 }
 
+bool many_carry_alike(const struct carry *carry, const struct carry *other)
+{
+    bool alike = carry->count == other->count;
+
+    for (size_t i = 0; i < carry->count && alike; i++)
+        alike = carry->which[i] == other->which[i];
+    return alike;
+}
+
 int many_carried(const struct carry *carry)
 {
     const bool one = carry->count == 1 && carry->which[0] != CARRY_TIME;

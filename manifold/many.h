@@ -18,6 +18,9 @@ void many_along(const struct planar *sys, size_t n, const struct vec2 z[],
 /* Whether they are alike. */
 bool many_alike(const struct planar *sys, const struct planar *other);
 
+/* Whether both carry the same. */
+bool many_carry_alike(const struct carry *carry, const struct carry *other);
+
 /* The only rate that is carried and is an observable's; -1: there is none, or
  * more than one. */
 int many_carried(const struct carry *carry);

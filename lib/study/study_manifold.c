@@ -40,10 +40,12 @@ struct stable {
     struct branch branch[SIDES];
 };
 
-static enum status begin_stable(struct study *s, const struct monitor *monitor,
-                                struct stable *t, struct grow_job *job)
+static void begin_stable(struct study *s, const struct monitor *monitor,
+                         struct stable *t, struct local_job *local,
+                         struct grow_job *job)
 {
     struct grow_options *o = &t->options;
+    const struct equilibrium *saddle = phase_plane_saddle(&s->slider.plane);
 
     *o = grow_defaults(s->scene->rtol);
     t->window = scene_box(s->scene);
@@ -54,11 +56,17 @@ static enum status begin_stable(struct study *s, const struct monitor *monitor,
         plan_has(s->stages, STAGE_UNSTABLE) || plan_has(s->stages, STAGE_BASINS)
             ? &t->window
             : NULL;
-    *job = (struct grow_job){ .sys = &s->slider.plane.system,
-                              .start = &t->series,
-                              .options = o,
-                              .out = t->branch };
-    return local_series(s, MANIFOLD_STABLE, &o->carry, &t->series);
+    *local = (struct local_job){ .sys = &s->slider.plane.system,
+                                 .e = saddle,
+                                 .kind = MANIFOLD_STABLE,
+                                 .ind = local_flatter(saddle, MANIFOLD_STABLE),
+                                 .carry = &o->carry,
+                                 .order = o->order,
+                                 .tol = TOL_TAYLOR_STEP * o->rtol,
+                                 .out = &t->series };
+    *job = (struct grow_job){
+        .sys = local->sys, .start = &t->series, .options = o, .out = t->branch
+    };
 }
 
 static void end_stable(struct study *s, const struct stable *t)
@@ -75,23 +83,34 @@ void study_stable(struct study_job job[], size_t n,
                   const struct monitor *monitor)
 {
     struct stable t[STUDY_JOBS];
+    struct local_job local[STUDY_JOBS];
     struct grow_job grow[STUDY_JOBS];
     struct study_job *of[STUDY_JOBS];
-    size_t count = 0;
+    const struct stable *from[STUDY_JOBS];
+    size_t count = 0, good = 0;
 
     for (size_t i = 0; i < n; i++) {
         struct study *s = job[i].study;
         if (job[i].status != STATUS_OK || !slider_has_manifolds(&s->slider))
             continue;
         of[count] = &job[i];
-        job[i].status = begin_stable(s, monitor, &t[count], &grow[count]);
-        count += job[i].status == STATUS_OK;
+        begin_stable(s, monitor, &t[count], &local[count], &grow[count]);
+        count++;
     }
-    grow_jobs(grow, count);
+    local_jobs(local, count);
     for (size_t i = 0; i < count; i++) {
+        of[i]->status = local[i].status;
+        if (local[i].status == STATUS_OK) {
+            of[good] = of[i];
+            from[good] = &t[i];
+            grow[good++] = grow[i];
+        }
+    }
+    grow_jobs(grow, good);
+    for (size_t i = 0; i < good; i++) {
         of[i]->status = grow[i].status;
         if (grow[i].status == STATUS_OK)
-            end_stable(of[i]->study, &t[i]);
+            end_stable(of[i]->study, from[i]);
     }
     for (size_t i = 0; i < n; i++)
         if (job[i].status != STATUS_OK && job[i].why.text[0] == '\0')
