@@ -88,7 +88,7 @@ static void look(struct approach *a, int rated, const struct planar_look *at)
     const double along_d = over_x ? m.xy : m.yx;
     const double across_i = over_x ? m.yx : m.xy;
     const double across_d = over_x ? m.yy : m.xx;
-    const double slower = along_i / along, unit = exp(-at->J.field.log_scale);
+    const double slower = along_i / along, unit = at->unit;
 
     a->first.unknown = a->toward * across / along;
     a->kappa.unknown =
@@ -148,7 +148,7 @@ static void rates_at(const struct approach *a, size_t n, const struct vec2 z[],
         for (size_t i = 0; i < a->carry->count; i++)
             p[k].integral[i] = a->toward *
                                rate_at(a, i, z[k], rated, &seen[k]) *
-                               exp(-f->log_scale) / along;
+                               seen[k].unit / along;
     }
 }
 

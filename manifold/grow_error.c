@@ -31,7 +31,7 @@ void grow_error_look(struct grower *g, struct vec2 z)
     const double ind_d = over_x ? J->matrix.xy : J->matrix.yx;
     const double dep_i = over_x ? J->matrix.yx : J->matrix.xy;
     const double dep_d = over_x ? J->matrix.yy : J->matrix.xx;
-    const double unit = exp(-J->field.log_scale);
+    const double unit = g->end.unit;
 
     g->out.slope = dep / ind;
     g->out.slope_i = (dep_i - g->out.slope * ind_i) / ind;

@@ -1,5 +1,7 @@
 #include "many.h"
 
+#include <math.h>
+
 static void many_alone(const struct planar *sys, struct vec2 z, int which,
                        bool slopes, struct planar_look *out)
 {
@@ -7,6 +9,7 @@ static void many_alone(const struct planar *sys, struct vec2 z, int which,
         sys->jacobian(sys->ctx, z, &out->J);
     else
         sys->field(sys->ctx, z, &out->J.field);
+    out->unit = exp(-out->J.field.log_scale);
     if (which >= 0)
         sys->rate_gradient(sys->ctx, (size_t) which, z, &out->rate,
                            slopes ? &out->gradient : NULL);

@@ -60,10 +60,11 @@ struct planar_steady {
 
 enum { PLANAR_OBSERVABLES_MAX = 6 };
 
-/* At a point: the field and its matrix, an observable's rate and its gradient.
- */
+/* At a point: the field and its matrix, exp(-log_scale), an observable's rate
+ * and its gradient. */
 struct planar_look {
     struct planar_jacobian J;
+    double unit;
     double rate;
     struct vec2 gradient;
 };

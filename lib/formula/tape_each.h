@@ -64,10 +64,13 @@ static inline jet_pair each_number(const struct each *e, const double *x)
 #undef NUMBER
 }
 
-/* Beyond what exponentials take, or no number. */
+/* What exponentials take. */
+#define EACH_FAR 690.0
+
+/* Beyond that, or no number. */
 static inline void each_watch(struct each *e, jet_pair exponent)
 {
-    e->odd |= ~(each_size(exponent) < 690.0);
+    e->odd |= ~(each_size(exponent) < EACH_FAR);
 }
 
 /* ---- linear forms -------------------------------------------------------- */

@@ -1,9 +1,11 @@
 /* Once for each width of the processor's registers, TAPE_LOOK its name. */
+#include <math.h>
+
 #include "tape_each.h"
 
 /* The chart's rates and that of an observable. */
 struct sight {
-    jet_pair f[3], scale;
+    jet_pair f[3], scale, unit;
     struct each_slope slope[3];
 };
 
@@ -14,6 +16,7 @@ static void make_plain(const struct tape_plane *p, struct vec2 z, int which,
         tape_jacobian(p, z, &out->J);
     else
         tape_field(p, z, &out->J.field);
+    out->unit = exp(-out->J.field.log_scale);
     if (which >= 0)
         tape_rate(p, (size_t) which, z, &out->rate,
                   slopes ? &out->gradient : NULL);
@@ -32,6 +35,8 @@ static inline __attribute__((always_inline)) void make_rates(struct each *e,
         r[i] = each_rate(e, m, i < 2 ? i : 2 + which);
     s->scale = jet_choose(r[1].exponent >= r[0].exponent, r[1].exponent,
                           r[0].exponent);
+    s->unit = each_exp(
+        jet_choose(each_size(s->scale) < EACH_FAR, -s->scale, JET_PAIR(0.0)));
     e->odd |= ~(each_size(r[1].exponent - r[0].exponent) < 600.0);
     for (int i = 0; i < n; i++) {
         const jet_pair u = i < 2 ? r[i].exponent - s->scale : r[i].exponent;
@@ -75,6 +80,7 @@ static void take(const struct sight *s, int l, int which, bool slopes,
 {
     out->J.field.direction = (struct vec2){ s->f[0][l], s->f[1][l] };
     out->J.field.log_scale = s->scale[l];
+    out->unit = fabs(s->scale[l]) < EACH_FAR ? s->unit[l] : exp(-s->scale[l]);
     if (which >= 0)
         out->rate = s->f[2][l];
     if (!slopes)

@@ -76,6 +76,10 @@ static void check_look(size_t l, int which, bool slopes,
               (isnan(f.x) && isnan(g.x)) || (isnan(f.y) && isnan(g.y)),
           "lane %zu at (%g, %g): field (%a, %a), not (%a, %a)", l, z[l].x,
           z[l].y, g.x, g.y, f.x, f.y);
+    own.unit = exp(-own.J.field.log_scale);
+    CHECK(isnan(own.unit) || same(&own.unit, &seen->unit, sizeof own.unit),
+          "lane %zu at (%g, %g): unit %a, not %a", l, z[l].x, z[l].y,
+          seen->unit, own.unit);
     CHECK(!slopes || isnan(f.x + f.y) ||
               same(&own.J.matrix, &seen->J.matrix, sizeof own.J.matrix),
           "lane %zu at (%g, %g): another matrix", l, z[l].x, z[l].y);
