@@ -279,7 +279,7 @@ static inline void sums_of_first(const struct course *c, size_t k, size_t width)
         if (c->first)                                                          \
             sums_of_first(c, k, width);                                        \
         else                                                                   \
-            sums(k, width, a, b, c->S);                                        \
+            sums(k, width, width - (JET_LANES > 2 && part->odd), a, b, c->S);  \
         for (const struct jet_op *o = &c->p->op[part->op];                     \
              o < &c->p->op[part->ops]; o++)                                    \
             *at(here.reg, o->out) = entry(&here, o);                           \

@@ -1,7 +1,7 @@
 /*
  * tape_sums.h -- inside tape_jet.c: sum[i] of a[j width + i] b[(k - j) width +
- * i], 0 < j < k, k > 0; width is even.  Neighbours never meet and nothing is
- * fused, so that wide registers give the same bits.
+ * i], 0 < j < k, k > 0, i < count, which is even of pairs.  Neighbours never
+ * meet and nothing is fused, so that wide registers give the same bits.
  */
 #pragma once
 
@@ -28,15 +28,15 @@
             ((type *) sum)[i] = s[i];                                          \
     } while (0)
 
-/* name(k, width, a, b, sum), by registers of a type. */
+/* name(k, width, count, a, b, sum), by registers of a type. */
 #define SUMS_BY(name, type)                                                    \
     static inline __attribute__((always_inline)) void name(                    \
-        size_t k, size_t width, const jet_pair *a, const jet_pair *b,          \
-        jet_pair *sum)                                                         \
+        size_t k, size_t width, size_t count, const jet_pair *a,               \
+        const jet_pair *b, jet_pair *sum)                                      \
     {                                                                          \
         size_t now;                                                            \
                                                                                \
-        for (size_t left = width * sizeof(jet_pair) / sizeof(type); left > 0;  \
+        for (size_t left = count * sizeof(jet_pair) / sizeof(type); left > 0;  \
              left -= now) {                                                    \
             now = left < 8 ? left : 8;                                         \
             switch (now) {                                                     \
