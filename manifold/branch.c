@@ -10,13 +10,15 @@ void branch_free(struct branch *b)
     b->miss = NULL;
 }
 
+enum { FIRST_ROOM = 32 }; /* a power of 2 */
+
 enum status branch_push(struct branch *b, size_t degree,
                         const struct branch_miss *miss, double **coef)
 {
     const size_t n = b->curve.count;
 
-    if ((n & (n - 1)) == 0) { /* room for the next power of 2 */
-        const size_t room = n == 0 ? 1 : 2 * n;
+    if (n == 0 || (n >= FIRST_ROOM && (n & (n - 1)) == 0)) {
+        const size_t room = n == 0 ? FIRST_ROOM : 2 * n;
         struct branch_miss *grown = realloc(b->miss, room * sizeof *grown);
         if (grown == NULL)
             return STATUS_NO_MEMORY;

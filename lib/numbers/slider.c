@@ -86,8 +86,12 @@ static void init(struct slider *s, bool nodes)
     if (nodes || !place_saddle(s, root, n, e))
         place(s, root, n, e);
     const struct planar system = block_planar(&s->block);
-    const struct vec2 off = place_bars(&s->block);
-    s->place = n > 0 ? off.x + off.y : 0.0;
+    if (nodes && n > 0) {
+        const struct vec2 off = place_bars(&s->block);
+        s->place = off.x + off.y;
+    } else {
+        s->place = 0.0;
+    }
     s->plane = phase_plane_of(&system, e, n);
     block_ask(&s->block);
     const char *none = slider_no_manifolds(s);

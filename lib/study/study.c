@@ -383,13 +383,15 @@ void study_free(struct study *s)
         orbit_free(&s->unstable[i]);
     }
     result_keep_free(&s->kept);
+    portrait_free(&s->portrait);
+    if (s->saddle_alone) /* which has no more */
+        return;
     study_proof_free(&s->proof);
     basin_proof_free(&s->label_proof);
     basin_map_free(&s->basins);
     fields_free(&s->fields);
     diagrams_free(&s->diagrams);
     trajectory_free(&s->chosen);
-    portrait_free(&s->portrait);
 }
 
 struct stage_cost study_cost(const struct study *s)
