@@ -377,4 +377,12 @@ static const struct {
       { 2.0716655936613608, -0.93738030099608771 },
       EXACT_BOTH,
       "time on a fibre that turns within a fold by more than it leans" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_SPINODAL,
+        KINETICS_LINEAR, 0.88539543122951914, 0.15932282294605749,
+        0.16084457015537262, 0.00088443036745211785, 0.5132361963465365,
+        6.6983471438112038e-05, 1.0293535546980992e-08, 1.0008113, 1e-4 },
+      1.56027656310436273267L,
+      { 17.585602438933165, 447.30742348152842 },
+      EXACT_BOTH,
+      "113 bits took v that falls to its balance for one that vanishes" },
 };

@@ -239,6 +239,16 @@ static void add_rest(struct quad_course *c)
     c->fate = FATE_REST_FINITE;
 }
 
+/* Whether it stops within this part of its time, for psi grows within as little
+ * of it: v that only falls, as where friction first takes its speed, does so to
+ * where friction balances gravity. */
+static bool is_stopping(const struct quad_course *c, double part)
+{
+    const quad soon_is = (quad) part * c->u[QUAD_TIME];
+
+    return c->left[0] < soon_is && c->du[QUAD_Y] * soon_is > c->du[QUAD_TIME];
+}
+
 /* What is left of a block that stops, and its fate where that is nothing.  One
  * that fades does so as psi grows, from when that shows. */
 static void find_rest(struct quad_course *c)
@@ -256,7 +266,7 @@ static void find_rest(struct quad_course *c)
     if (rest.fate == FATE_REST_FINITE) {
         c->left[0] = (quad) rest.power / rate;
         c->left[1] = v * c->left[0];
-        if (c->left[0] < (quad) soon * c->u[QUAD_TIME])
+        if (is_stopping(c, soon))
             c->fate = FATE_REST_FINITE;
     } else if (falls && grows > 0) {
         c->left[1] = v * (c->u[QUAD_TIME] + 1 / grows);
@@ -320,8 +330,7 @@ static void follow(const struct quad_slope *q, quad x, quad y, double tol,
         rest_of(c).fate == FATE_REST_ASYMPTOTIC &&
         quad_rest_fade(c, rest_of(c).has_slip))
         c->fate = FATE_REST_ASYMPTOTIC;
-    if (c->fate == FATE_UNDECIDED && c->left[0] > 0 &&
-        c->left[0] < (quad) at_all * c->u[QUAD_TIME])
+    if (c->fate == FATE_UNDECIDED && c->left[0] > 0 && is_stopping(c, at_all))
         c->fate = FATE_REST_FINITE;
 }
 
