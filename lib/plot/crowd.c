@@ -98,6 +98,7 @@ void crowd_take(struct crowd *c, const struct line *l)
 {
     struct fine f = crowd_refine(c, l);
 
+    c->failed = c->failed || f.status != STATUS_OK;
     take_points(c, f.at, f.count);
     free(f.at);
 }
@@ -155,7 +156,7 @@ static void put_part(const struct crowd *c, const struct fine *f, size_t first,
 void crowd_cut(struct crowd *c, struct line *l)
 {
     struct fine f = crowd_refine(c, l);
-    struct line left = { .failed = f.status != STATUS_OK };
+    struct line left = { .failed = c->failed || f.status != STATUS_OK };
     size_t done = 0;
 
     for (size_t i = 0; i < f.count; i++) {

@@ -16,6 +16,8 @@ enum { CROWD_CELLS = 160 };
 
 struct crowd {
     struct scale x, y; /* in cells */
+    bool failed;       /* memory ran out for a line that is taken: those that
+                          are cut then fail, too (line.h) */
     uint8_t taken[CROWD_CELLS][CROWD_CELLS];
 };
 

@@ -6,6 +6,7 @@
 
 #include "crowd.h"
 #include "draw.h"
+#include "fault_alloc.h"
 #include "own_folder.h"
 #include "sample_figure.h"
 
@@ -241,6 +242,32 @@ static void lines_end_where_they_join_others(void **state)
     test_free(c);
 }
 
+/* A line that could not be taken, for memory ran out, leaves none uncut. */
+static void a_line_that_was_not_taken_fails_those_that_are_cut(void **state)
+{
+    (void) state;
+    const struct figure_axis unit = { NULL, 0, 1, false };
+    struct crowd *c = test_calloc(1, sizeof *c);
+    struct line across = LINE_EMPTY, l = LINE_EMPTY;
+    struct figure f;
+
+    figure_init(&f, NULL, &unit, &unit);
+    crowd_init(c, &f);
+    for (int k = 0; k < 2; k++)
+        line_add(&across, 0.8, k);
+    line_add(&l, 0.2, 0.5);
+    line_add(&l, 0.9, 0.5);
+    fault_alloc_at(0);
+    crowd_take(c, &across);
+    fault_alloc_at(FAULT_ALLOC_NEVER);
+    crowd_cut(c, &l);
+    assert_true(l.failed);
+    line_free(&across);
+    line_free(&l);
+    figure_free(&f);
+    test_free(c);
+}
+
 #define IN_FOLDER(test)                                                        \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -253,6 +280,7 @@ int main(void)
         IN_FOLDER(a_map_without_gaps_has_no_entry_for_them),
         IN_FOLDER(labels_without_a_shade_are_hatched_where_that_is_said),
         cmocka_unit_test(lines_end_where_they_join_others),
+        cmocka_unit_test(a_line_that_was_not_taken_fails_those_that_are_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
