@@ -66,11 +66,17 @@ static double rounds_at(const struct winding *w, const struct passage *p,
 }
 
 /* Where the piece next comes into a period that the curve was not in since the
- * last one new, the first such place aside. */
+ * last one new, the first such place aside.  One that goes through more than
+ * are kept is of no orbit that closes. */
 static bool is_round(struct winding *w, struct passage *p)
 {
     const double end = floor(rounds_at(w, p, 1.0));
 
+    if (!(fabs(end - w->period) <= WINDING_KEPT)) {
+        w->period = end;
+        w->mark = NAN;
+        return false;
+    }
     while (w->period != end) {
         const double way = end > w->period ? 1.0 : -1.0,
                      level = w->period + (way > 0.0 ? 1.0 : 0.0),
