@@ -45,17 +45,16 @@ bool escape_may_touch(const struct curve *c, size_t piece, struct vec2 origin,
 
 struct box escape_around(const struct curve *c, size_t piece, struct vec2 size)
 {
-    struct box b = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
-    double at[CURVE_DIM_MAX] = { 0.0 }, most = 0.0;
+    struct vec2 last = curve_point(c, piece, 0.0);
+    struct box b = { last, last };
+    double most = 0.0;
 
-    for (int i = 0; i <= SAMPLES; i++) {
-        const struct vec2 last = { at[0], at[1] };
-        curve_at(c, piece, (double) i / SAMPLES, at);
-        if (i > 0)
-            most = fmax(most, hypot(between(last.x, at[0], 0.0, size.x),
-                                    between(last.y, at[1], 0.0, size.y)));
-        b.lo = (struct vec2){ fmin(b.lo.x, at[0]), fmin(b.lo.y, at[1]) };
-        b.hi = (struct vec2){ fmax(b.hi.x, at[0]), fmax(b.hi.y, at[1]) };
+    for (int i = 1; i <= SAMPLES; i++) {
+        const struct vec2 z = curve_point(c, piece, (double) i / SAMPLES);
+        most = fmax(most, hypot(between(last.x, z.x, 0.0, size.x),
+                                between(last.y, z.y, 0.0, size.y)));
+        b = box_around(b, z);
+        last = z;
     }
     const struct vec2 off = vec2_scale(TOL_ESCAPE_CHORD * most, size);
     return (struct box){ vec2_sub(b.lo, off), vec2_add(b.hi, off) };

@@ -1,6 +1,7 @@
 /* plane.h -- vectors, matrices and boxes of the plane, by value; no failure. */
 #pragma once
 
+#include <math.h>
 #include <stdbool.h>
 
 struct vec2 {
@@ -30,6 +31,15 @@ static inline struct vec2 vec2_sub(struct vec2 u, struct vec2 v)
 static inline struct vec2 vec2_scale(double s, struct vec2 v)
 {
     return (struct vec2){ s * v.x, s * v.y };
+}
+
+/* Around nothing; around a box and a point. */
+#define BOX_NOTHING                                                            \
+    ((struct box){ { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } })
+static inline struct box box_around(struct box b, struct vec2 z)
+{
+    return (struct box){ { fmin(b.lo.x, z.x), fmin(b.lo.y, z.y) },
+                         { fmax(b.hi.x, z.x), fmax(b.hi.y, z.y) } };
 }
 
 static inline bool box_meets(struct box a, struct box b)

@@ -1,6 +1,7 @@
 #include "status.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 
 const char *status_text(enum status s)
 {
@@ -21,8 +22,7 @@ enum status fault_set(struct fault *why, enum status s, const char *format, ...)
     va_list list;
 
     va_start(list, format);
-    /* into a string, which takes no <stdio.h> */
-    __builtin_vsnprintf(why->text, sizeof why->text, format, list);
+    vsnprintf(why->text, sizeof why->text, format, list);
     va_end(list);
     return s;
 }

@@ -108,7 +108,7 @@ static enum status chain_begin(const struct plane_study *s, struct chain *h)
 {
     const struct vec2 size = vec2_sub(s->window.box.hi, s->window.box.lo);
 
-    h->all = (struct box){ { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    h->all = BOX_NOTHING;
     for (int k = 0; k < 2; k++) {
         const size_t n = h->c[k] ? h->c[k]->count : 0;
         h->around[k] = calloc(n + 1, sizeof *h->around[k]);
@@ -117,10 +117,7 @@ static enum status chain_begin(const struct plane_study *s, struct chain *h)
         for (size_t i = 0; i < n; i++) {
             const struct box b = escape_around(h->c[k], i, size);
             h->around[k][i] = b;
-            h->all = (struct box){
-                { fmin(h->all.lo.x, b.lo.x), fmin(h->all.lo.y, b.lo.y) },
-                { fmax(h->all.hi.x, b.hi.x), fmax(h->all.hi.y, b.hi.y) }
-            };
+            h->all = box_around(box_around(h->all, b.lo), b.hi);
         }
     }
     return STATUS_OK;
@@ -144,8 +141,7 @@ static size_t run_from(const struct plane_study *s, const struct chain *h,
                        int k, size_t first, const struct moved *m)
 {
     const struct vec2 origin = vec2_add(s->system[0].origin, m->by);
-    const struct box w = { vec2_sub(s->window.box.lo, origin),
-                           vec2_sub(s->window.box.hi, origin) };
+    const struct box w = box_from(s->window.box, origin);
 
     while (h->c[k] && first < h->c[k]->count &&
            box_meets(w, h->around[k][first]) &&
@@ -213,14 +209,13 @@ static enum status add_copy(struct plane_study *s, const struct chain *h,
 static enum status add(struct plane_study *s, struct chain h,
                        struct vec2 origin, double error, size_t of)
 {
-    const struct vec2 period = s->scale.period,
-                      lo = vec2_sub(s->window.box.lo, origin),
-                      hi = vec2_sub(s->window.box.hi, origin);
+    const struct vec2 period = s->scale.period;
+    const struct box w = box_from(s->window.box, origin);
     int x[2], y[2];
     enum status status = chain_begin(s, &h);
 
-    periods(h.all.lo.x, h.all.hi.x, lo.x, hi.x, period.x, x);
-    periods(h.all.lo.y, h.all.hi.y, lo.y, hi.y, period.y, y);
+    periods(h.all.lo.x, h.all.hi.x, w.lo.x, w.hi.x, period.x, x);
+    periods(h.all.lo.y, h.all.hi.y, w.lo.y, w.hi.y, period.y, y);
     for (int i = x[0]; i <= x[1]; i++)
         for (int j = y[0]; j <= y[1] && status == STATUS_OK; j++) {
             const struct vec2 way = { i * period.x, j * period.y };

@@ -53,12 +53,6 @@ void plane_cycle_divergence(const struct planar *sys, const struct curve *c,
     }
 }
 
-static void widen(struct box *b, struct vec2 z)
-{
-    b->lo = (struct vec2){ fmin(b->lo.x, z.x), fmin(b->lo.y, z.y) };
-    b->hi = (struct vec2){ fmax(b->hi.x, z.x), fmax(b->hi.y, z.y) };
-}
-
 /* The same of a round from an absolute point; the box around the middles and
  * the ends of its pieces; how far it leads, a multiple of the period of an
  * angle. */
@@ -89,8 +83,9 @@ static bool go_round(const struct plane_study *s, const struct winding *w,
         const size_t piece = o.curve.count - 1;
         for (int k = 1; k <= 2; k++) {
             curve_at(&o.curve, piece, 0.5 * k, at);
-            widen(&r->around,
-                  vec2_add(sys->origin, (struct vec2){ at[0], at[1] }));
+            r->around =
+                box_around(r->around, vec2_add(sys->origin,
+                                               (struct vec2){ at[0], at[1] }));
         }
         before = round.count;
         (void) winding_add(&round, sys, &s->scale, &o.curve, piece, NULL, 0);

@@ -144,17 +144,15 @@ static enum status ask_middle(struct dividing *d, int level, int i, int j,
 static bool is_parted(struct dividing *d, int level, int i, int j)
 {
     const double n = 1 << level;
-    struct box b = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    struct box b = BOX_NOTHING;
     struct vec2 z;
 
     for (int k = 0; k < 4 && d->parts->n > 0; k++)
         if (place_at(&d->square,
                      (struct vec2){ inside((i + k % 2) / n),
                                     inside((j + k / 2) / n) },
-                     d->p->above, &z)) {
-            b.lo = (struct vec2){ fmin(b.lo.x, z.x), fmin(b.lo.y, z.y) };
-            b.hi = (struct vec2){ fmax(b.hi.x, z.x), fmax(b.hi.y, z.y) };
-        }
+                     d->p->above, &z))
+            b = box_around(b, z);
     return b.lo.x <= b.hi.x && plane_parts_divide(d->parts, d->s, d->patch, b);
 }
 

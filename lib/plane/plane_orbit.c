@@ -428,14 +428,11 @@ static struct box domain_about(const struct planar *system, struct box window,
                                struct vec2 z)
 {
     const struct box d = system->domain,
-                     b = { { fmin(window.lo.x, z.x), fmin(window.lo.y, z.y) },
-                           { fmax(window.hi.x, z.x), fmax(window.hi.y, z.y) } },
-                     far = box_grow(b, TOL_PLANE_FAR);
+                     far = box_grow(box_around(window, z), TOL_PLANE_FAR);
 
     if (box_holds(window, z))
         return d;
-    return (struct box){ { fmin(d.lo.x, far.lo.x), fmin(d.lo.y, far.lo.y) },
-                         { fmax(d.hi.x, far.hi.x), fmax(d.hi.y, far.hi.y) } };
+    return box_around(box_around(d, far.lo), far.hi);
 }
 
 enum status plane_orbit(const struct plane_study *s, struct vec2 z,

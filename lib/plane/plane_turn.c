@@ -9,6 +9,7 @@
 
 #include "interval.h"
 #include "plane_tolerance.h"
+#include "room.h"
 #include "taylor_orbit.h"
 
 void plane_turn_free(struct plane_turn *t)
@@ -178,19 +179,12 @@ static bool has_no_cycle(struct turning *g, struct box b)
 
 static enum status add_corner(struct plane_turn *t, struct vec2 u)
 {
-    if (t->corners == t->room) {
-        const size_t room = t->room ? 2 * t->room : 256;
-        struct vec2 *more = realloc(t->at, room * sizeof *more);
-        if (more == NULL)
-            return STATUS_NO_MEMORY;
-        t->at = more;
-        t->room = room;
-    }
+    const enum status status = ROOM_FOR(t->at, t->room, t->corners + 1);
+
+    if (status != STATUS_OK)
+        return status;
     t->at[t->corners++] = u;
-    t->box.lo.x = fmin(t->box.lo.x, u.x);
-    t->box.lo.y = fmin(t->box.lo.y, u.y);
-    t->box.hi.x = fmax(t->box.hi.x, u.x);
-    t->box.hi.y = fmax(t->box.hi.y, u.y);
+    t->box = box_around(t->box, u);
     return STATUS_OK;
 }
 
