@@ -69,6 +69,15 @@ static const struct lie lie_tail = {
     2.8049869879198623e-05
 };
 
+/* v grows by 1.2e-23 of itself. */
+static const struct lie lie_still = {
+    FRICTION_ASINH,         THETA_LN_C_1PR_PSI,    PSI_SS_INVERSE,
+    TIMESCALE_SPINODAL,     KINETICS_SINH,         0.2553154150204736681L,
+    0.31603787763009683,    0.0029552556926671979, 0.012080078352683148,
+    2.2507411556556931e-06, 33637941.799149282,    2.430115867308495e-07,
+    2.3278187255037038e-05
+};
+
 /* A branch that meets v = 0 at psi = -4.66e211, beyond the root of a double. */
 static const struct lie lie_far = {
     FRICTION_ASINH,        THETA_PSI,

@@ -56,7 +56,7 @@ static void hold_upper(const struct draw *d, double rtol,
         (quad) d->m.V_star * d->m.V_star / ((quad) d->m.g * d->m.L);
     const quad half = eps2 * sqrtq(1 + tangent * tangent) / 2;
     const quad G = half * v0 * v0 * expm1q(2 * d->upper.x);
-    const quad mean = half * (v - v0) * v0 * expm1q(d->upper.x);
+    const quad mean = half * v0 * v0 * expm1q(d->upper.x) * expm1q(d->upper.x);
 
     if (d->upper.end != QUAD_PSI_INF)
         return;
@@ -347,6 +347,25 @@ static void bars_hold_where_squares_overflow(void **state)
     }
 }
 
+static void bars_hold_where_v_hardly_changes(void **state)
+{
+    struct draw d = draw_lie(&lie_still);
+    struct tally tally = { 0 };
+    struct solved s;
+
+    (void) state;
+    if (laws_emulated())
+        skip();
+    draw_name(&d);
+    for (double rtol = 1e-12; rtol < 1e-5; rtol *= 1e3) {
+        assert_int_equal(solve(&s, &d.law, &d.m, d.tan_alpha, rtol), STATUS_OK);
+        assert_true(d.upper.steps > 0 || draw_solve(&d, &s.block));
+        assert_int_equal(d.upper.end, QUAD_PSI_INF);
+        hold_upper(&d, rtol, &s.numbers, &tally);
+        solved_free(&s);
+    }
+}
+
 static void bars_hold_what_vanishes_in_a_double(void **state)
 {
     const struct draw d = draw_lie(&lie_small);
@@ -471,6 +490,7 @@ int main(void)
         cmocka_unit_test(bars_are_believed),
         cmocka_unit_test(bars_that_lied_once_lie_no_more),
         cmocka_unit_test(bars_hold_where_squares_overflow),
+        cmocka_unit_test(bars_hold_where_v_hardly_changes),
         cmocka_unit_test(bars_hold_what_vanishes_in_a_double),
         cmocka_unit_test(bars_hold_where_friction_turns_sharply),
     };
