@@ -72,16 +72,21 @@ static double slope_allowed(const struct grower *g)
     return TOL_SLOPE_CHECK * g->tol * scale_of_unknown(g) / (g->unit * g->h);
 }
 
-/* The series' slope by s at a point against the field's there; *off: their
- * difference. */
-static bool slope_holds(const struct grower *g, double by_s, double field,
-                        double *off)
+/* How far the field's slope at a point is above that of the series, by s. */
+static double slope_off(const struct grower *g, double by_s, struct vec2 field)
 {
-    const double slope = by_s / g->unit;
-    const double rounding = TOL_ROUNDED * (fabs(slope) + fabs(g->u.slope));
+    return local_quotient(g->ind, field) - by_s / g->unit;
+}
 
-    *off = fabs(slope - field);
-    return *off <= slope_allowed(g) + rounding;
+/* What rounding makes of it. */
+static double slope_rounding(const struct grower *g, double by_s)
+{
+    return TOL_ROUNDED * (fabs(by_s / g->unit) + fabs(g->u.slope));
+}
+
+static bool slope_holds(const struct grower *g, double by_s, double off)
+{
+    return fabs(off) <= slope_allowed(g) + slope_rounding(g, by_s);
 }
 
 /* Whether the step's end alone says little: the slope has faded to nothing
@@ -136,6 +141,37 @@ static void integrals_at_ends(struct grower *const g[], size_t n, size_t k)
         g[i]->integral_end[k] = end[i];
 }
 
+/* The sum of (n + j) q^j, j > 0. */
+static double sum_of(double n, double q)
+{
+    return q / (1.0 - q) * (n + 1.0 / (1.0 - q));
+}
+
+/* Of a part theta of the step, where slopes differ by `off`: at_end theta^n, n
+ * the order, where terms that are left out fall as the last ones, |e_j| <= P
+ * r^j, but for the sum of (n + j) P r^j theta^n (1 - theta^(j - 1)) over the
+ * step, and rounding.  More is a kink's, which may show less at the end, or
+ * look like a term there. */
+static double kink_at(const struct grower *g, double theta, double by_s,
+                      double off)
+{
+    const struct graph_end *end = &g->dep_end;
+    const double at_end = slope_off(g, end->slope, g->end.J.field.direction);
+    const double n = (double) g->order, fall = pow(theta, n);
+    const double r = TOL_AS_BEFORE * sqrt(end->last / end->before);
+    const double rest =
+        r < 1.0
+            ? fall * end->last * (sum_of(n, r) - sum_of(n, theta * r) / theta) /
+                  (g->unit * g->h)
+            : HUGE_VAL;
+    const double unlike = fabs(off - fall * at_end);
+
+    return unlike > rest + slope_rounding(g, by_s) ||
+                   fabs(off) > TOL_CLEARLY * fabs(at_end)
+               ? fmax(fabs(off), unlike)
+               : 0.0;
+}
+
 /* Those whose ends say little, on the way; what is off there counts. */
 static void look_on_the_way(struct grower *const g[], size_t n)
 {
@@ -143,7 +179,6 @@ static void look_on_the_way(struct grower *const g[], size_t n)
     struct planar_look seen[PARTS * GROWERS];
     struct graph_end end[PARTS * GROWERS];
     struct vec2 z[PARTS * GROWERS];
-    double at_end, off;
 
     if (n == 0)
         return;
@@ -155,14 +190,11 @@ static void look_on_the_way(struct grower *const g[], size_t n)
         struct grower *of = g[i / PARTS];
         if (!of->holds)
             continue;
-        slope_holds(of, of->dep_end.slope,
-                    local_quotient(of->ind, of->end.J.field.direction),
-                    &at_end);
-        of->holds = slope_holds(
-            of, end[i].slope,
-            local_quotient(of->ind, seen[i].J.field.direction), &off);
-        if (off > TOL_CLEARLY * at_end)
-            of->kink = fmax(of->kink, off);
+        const double off =
+            slope_off(of, end[i].slope, seen[i].J.field.direction);
+        of->holds = slope_holds(of, end[i].slope, off);
+        of->kink =
+            fmax(of->kink, kink_at(of, part_of[i % PARTS], end[i].slope, off));
     }
 }
 
@@ -191,15 +223,14 @@ void grow_step_try(struct grower *const g[], size_t n)
 {
     struct grower *doubtful[GROWERS];
     size_t doubts = 0;
-    double off;
 
     grow_step_look(g, n);
     for (size_t i = 0; i < n; i++) {
-        const double field =
-            local_quotient(g[i]->ind, g[i]->end.J.field.direction);
+        const struct vec2 field = g[i]->end.J.field.direction;
+        const double by_s = g[i]->dep_end.slope;
         g[i]->kink = 0.0;
-        g[i]->holds = slope_holds(g[i], g[i]->dep_end.slope, field, &off);
-        if (g[i]->holds && is_doubtful(g[i], field))
+        g[i]->holds = slope_holds(g[i], by_s, slope_off(g[i], by_s, field));
+        if (g[i]->holds && is_doubtful(g[i], local_quotient(g[i]->ind, field)))
             doubtful[doubts++] = g[i];
     }
     look_on_the_way(doubtful, doubts);

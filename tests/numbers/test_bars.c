@@ -325,6 +325,7 @@ static void bars_that_lied_once_lie_no_more(void **state)
     hold_lie(&lie_kink, 5.442781596265568e-12, 5.45e-12);
     hold_lie(&lie_tail, 1e-6, 1e-4);
     hold_lie(&lie_tail, 3.6885640652063053e-05, 3.7e-5);
+    hold_lie(&lie_bend, 5.2241404144663433e-06, 5.3e-6);
 }
 
 static void bars_hold_where_squares_overflow(void **state)
