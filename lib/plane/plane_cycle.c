@@ -55,15 +55,15 @@ void plane_cycle_divergence(const struct planar *sys, const struct curve *c,
 
 /* The same of a round from an absolute point; the box around the middles and
  * the ends of its pieces; how far it leads, a multiple of the period of an
- * angle. */
+ * angle; whole: false where series were held back before they came round. */
 struct round {
+    bool whole;
     double sum[2];
     struct box around;
     struct vec2 way;
 };
 
-/* False where series are held back. */
-static bool go_round(const struct plane_study *s, const struct winding *w,
+static void go_round(const struct plane_study *s, const struct winding *w,
                      struct vec2 z, bool stable, struct round *r)
 {
     const struct planar *sys = &s->system[!stable];
@@ -72,13 +72,12 @@ static bool go_round(const struct plane_study *s, const struct winding *w,
     struct winding round = winding_from(w, &s->scale);
     double theta = 1.0, at[CURVE_DIM_MAX];
     size_t turns = 0, before;
-    bool follows = true;
 
-    *r = (struct round){ .around = { z, z } };
-    while (turns < w->turns && follows) {
-        follows = o.curve.count < TOL_EXPLICIT_STEPS &&
-                  taylor_orbit_step(&o) == STATUS_OK;
-        if (!follows)
+    *r = (struct round){ .whole = true, .around = { z, z } };
+    while (turns < w->turns) {
+        r->whole = o.curve.count < TOL_EXPLICIT_STEPS &&
+                   taylor_orbit_step(&o) == STATUS_OK;
+        if (!r->whole)
             break;
         const size_t piece = o.curve.count - 1;
         for (int k = 1; k <= 2; k++) {
@@ -99,7 +98,6 @@ static bool go_round(const struct plane_study *s, const struct winding *w,
         r->sum[i] *= (double) w->turns / (double) turns;
     r->way = vec2_sub(vec2_add(sys->origin, (struct vec2){ at[0], at[1] }), z);
     taylor_orbit_free(&o);
-    return follows;
 }
 
 /* Where returns go to whose differences shrink by a factor whose ln is given.
@@ -125,27 +123,30 @@ static struct vec2 limit_of(const struct plane_study *s,
 static bool attracts(const struct plane_study *s, const struct winding *w,
                      bool stable, struct round *on)
 {
-    struct round beside;
-    const bool follows = go_round(s, w, w->at[0], stable, &beside);
-    const double *sum = beside.sum;
+    const double *sum = on->sum;
 
-    if (!follows)
+    go_round(s, w, w->at[0], stable, on);
+    if (!on->whole)
         return true;
-    if (!(sum[0] < -TOL_SAME * sum[1] &&
-          w->round > 10.0 * fmax(w->gap, w->off) / -expm1(sum[0])))
+    const double ln_factor = sum[0];
+    if (!(ln_factor < -TOL_SAME * sum[1] &&
+          w->round > 10.0 * fmax(w->gap, w->off) / -expm1(ln_factor)))
         return false;
-    return !go_round(s, w, limit_of(s, w, sum[0]), stable, on) ||
-           (on->sum[0] < -TOL_SAME * on->sum[1] && on->sum[0] < 0.75 * sum[0]);
+    go_round(s, w, limit_of(s, w, ln_factor), stable, on);
+    return !on->whole ||
+           (sum[0] < -TOL_SAME * sum[1] && sum[0] < 0.75 * ln_factor);
 }
 
 /* Whether signs show that there is no such closed orbit: one that goes round an
- * angle has no inside. */
+ * angle has no inside, and of part of one the box is not known. */
 static enum status is_forbidden(const struct plane_study *s,
                                 const struct round *r, bool *none)
 {
     const struct vec2 period = s->scale.period;
 
     *none = false;
+    if (!r->whole)
+        return STATUS_OK;
     if (2.0 * fabs(r->way.x) > period.x && period.x > 0.0)
         return STATUS_OK;
     if (2.0 * fabs(r->way.y) > period.y && period.y > 0.0)

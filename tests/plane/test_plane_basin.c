@@ -83,6 +83,27 @@ static void a_cycle_that_attracts_has_all_of_van_der_pol(void **state)
     plane_end(&s, &c);
 }
 
+/* Where x jumps, rounds are e^(10^6) nearer to it, and series are held back
+ * between. */
+static void a_cycle_that_jumps_is_one(void **state)
+{
+    static const char *const ode[] = {
+        "x' = 1000*(x - x^3/3 + y); y' = -x/1000",
+        "x' = (x - x^3/3 - y)/1e-6; y' = x",
+    };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c, ode[i],
+                  "window={x: [-3, 3], y: [-2, 2]}\nproducts=[basins]\n"
+                  "basins.audit=50\n");
+        has_share(&s, "cycle_0", 1.0, 1e-12);
+        plane_end(&s, &c);
+    }
+}
+
 /* r' = r (r^2 - 1): the unit disc goes to the origin. */
 static void a_cycle_that_repels_is_a_boundary(void **state)
 {
@@ -404,6 +425,7 @@ int main(void)
         TEST(symmetric_systems_share_alike),
         TEST(a_bent_separatrix_has_the_area_beside_it),
         TEST(a_cycle_that_attracts_has_all_of_van_der_pol),
+        TEST(a_cycle_that_jumps_is_one),
         TEST(a_cycle_that_repels_is_a_boundary),
         TEST(cycles_that_attract_at_once_are_seen),
         TEST(a_driven_pendulum_rotates),
