@@ -90,16 +90,19 @@ static void states_of(const struct turning *g, struct box b,
                                   plane_state(g->s, 1, z.y + b.hi.y * side.y) };
 }
 
-/* The two halves of a box across its longer side. */
+/* The two halves of a box across its longer side, or, if it is on both of its
+ * sides, at the equilibrium: x (2 x) has one sign on either side of 0 alone. */
 static void halve(struct box b, struct box half[2])
 {
+    const bool about_x = b.lo.x < 0.0 && b.hi.x > 0.0,
+               about_y = b.lo.y < 0.0 && b.hi.y > 0.0;
     const struct vec2 m = vec2_scale(0.5, vec2_add(b.lo, b.hi));
 
     half[0] = half[1] = b;
-    if (b.hi.x - b.lo.x > b.hi.y - b.lo.y)
-        half[0].hi.x = half[1].lo.x = m.x;
+    if (about_x || (!about_y && b.hi.x - b.lo.x > b.hi.y - b.lo.y))
+        half[0].hi.x = half[1].lo.x = about_x ? 0.0 : m.x;
     else
-        half[0].hi.y = half[1].lo.y = m.y;
+        half[0].hi.y = half[1].lo.y = about_y ? 0.0 : m.y;
 }
 
 /* Whether orbits cross all of a part of the row upward (way 1) or downward. */

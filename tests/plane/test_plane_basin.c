@@ -225,6 +225,10 @@ static void a_weak_focus_has_its_share(void **state)
     CHECK(focus > 3e-3 && focus < 4e-3, "%g", focus);
     assert_int_equal(s.basin.disagreements, 0);
     plane_end(&s, &c);
+    plane_run(&s, &c, "x' = -y - x*(x^2 + y^2); y' = x - y*(x^2 + y^2)",
+              WINDOW);
+    has_share(&s, "nonhyperbolic_0", 1.0, 1e-12);
+    plane_end(&s, &c);
 }
 
 static void orbits_that_all_close_are_no_attractors(void **state)
