@@ -286,24 +286,36 @@ static enum status look_at_parts(struct labelling *l)
     return status;
 }
 
-/* Places spread over the window, and the middles of large regions, until there
- * is a curve that divides more. */
+/* Number i of the places that are looked at: the middle of a large region, what
+ * attracts, one of those spread over the window; false: it is none. */
+static bool place_at(const struct labelling *l, size_t i, double least,
+                     struct vec2 *z)
+{
+    const struct plane_study *s = l->s;
+    const size_t regions = l->p->r->count;
+
+    if (i < regions)
+        return l->p->area[i].value >= least && plane_patch_place(l->p, i, z);
+    i -= regions;
+    if (i < s->listed) {
+        *z = s->rest[i].z;
+        return plane_rest_attracts(&s->rest[i], false);
+    }
+    *z = window_at(&s->window, vec2_spread(0.25, (double) (i - s->listed)));
+    return true;
+}
+
+/* All of these, until there is a curve that divides more. */
 static enum status look_over(struct labelling *l, double least)
 {
-    const size_t regions = l->p->r->count, n = TOL_PLANE_LOOKS + regions;
+    const size_t n = l->p->r->count + l->s->listed + TOL_PLANE_LOOKS;
     enum status status = STATUS_OK;
     struct vec2 z[LOOKS];
     size_t count = 0;
 
     for (size_t i = 0;
          i < n && status == STATUS_OK && !has_news(l) && has_work(l); i++) {
-        if (i < regions) {
-            count += l->p->area[i].value >= least &&
-                     plane_patch_place(l->p, i, &z[count]);
-        } else {
-            z[count++] = window_at(&l->s->window,
-                                   vec2_spread(0.25, (double) (i - regions)));
-        }
+        count += place_at(l, i, least, &z[count]);
         if (count < LOOKS && i + 1 < n)
             continue;
         status = look_from(l, z, count);

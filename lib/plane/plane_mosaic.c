@@ -8,6 +8,7 @@
 
 #include "plane_beyond.h"
 #include "plane_label.h"
+#include "plane_rest.h"
 #include "plane_tolerance.h"
 #include "room.h"
 
@@ -104,6 +105,8 @@ struct dividing {
     int8_t *middle[9]; /* of the cells of each level and those around; or OPEN
                         */
     int8_t *label;     /* borrowed: of the finest */
+    struct vec2 *rest; /* owned; by equilibrium, where one that attracts is in
+                          the square; else below 0 */
     int64_t most;
     plane_ask *ask;
     void *ctx;
@@ -115,7 +118,40 @@ static double inside(double part)
     return fmin(fmax(part, TOL_SEEN), 1.0 - TOL_SEEN);
 }
 
-/* Whereto the middle of a cell goes; of one beside the square, its edge. */
+static int cell_at(int n, double part)
+{
+    return (int) fmin(fmax(part * n, 0.0), n - 1.0);
+}
+
+static void place_rests(struct dividing *d, size_t region)
+{
+    const struct plane_study *s = d->s;
+
+    for (size_t k = 0; k < s->listed; k++) {
+        const struct vec2 z = s->rest[k].z;
+        const bool in = plane_rest_attracts(&s->rest[k], false) &&
+                        box_holds(s->window.box, z) &&
+                        regions_at(d->p->r, z, d->p->above) == region;
+        const struct window w = window_of(&d->square, in ? d->p->above : NULL);
+        d->rest[k] = in ? window_unit(&w, z) : (struct vec2){ -1.0, -1.0 };
+    }
+}
+
+/* What attracts in a cell, if something does. */
+static bool rest_in(const struct dividing *d, int n, int i, int j,
+                    struct vec2 *z)
+{
+    for (size_t k = 0; k < d->s->listed; k++)
+        if (d->rest[k].x >= 0.0 && cell_at(n, d->rest[k].x) == i &&
+            cell_at(n, d->rest[k].y) == j) {
+            *z = d->s->rest[k].z;
+            return true;
+        }
+    return false;
+}
+
+/* Whereto the middle of a cell goes, or what attracts in it; of one beside the
+ * square, its edge. */
 static enum status ask_middle(struct dividing *d, int level, int i, int j,
                               int8_t *out)
 {
@@ -131,7 +167,8 @@ static enum status ask_middle(struct dividing *d, int level, int i, int j,
     d->s->basin.unknown[PLANE_UNKNOWN_WORK] |=
         *known == OPEN && d->s->basin.steps >= d->most;
     if (*known == OPEN && d->s->basin.steps < d->most) {
-        if (place_at(&d->square, part, d->p->above, &z))
+        if (rest_in(d, n, i, j, &z) ||
+            place_at(&d->square, part, d->p->above, &z))
             status = d->ask(d->ctx, z, &goal);
         if (status == STATUS_OK)
             status = number_of(d->s, &goal, known);
@@ -262,9 +299,15 @@ enum status plane_mosaic_add(struct plane_study *s, struct patches *p,
         d.label = malloc((size_t) (d.n * d.n));
     if (d.label == NULL)
         return STATUS_NO_MEMORY;
+    d.rest = calloc(s->listed + 1, sizeof *d.rest);
+    if (d.rest)
+        place_rests(&d, region);
     b->mosaic[b->mosaics++] = (struct plane_mosaic){ region, d.n, d.label };
     memset(d.label, OPEN, (size_t) (d.n * d.n));
-    status = divide_all(&d, levels_to(TOL_PLANE_CELLS, fmin(part, 1.0)));
+    status = d.rest
+                 ? divide_all(&d, levels_to(TOL_PLANE_CELLS, fmin(part, 1.0)))
+                 : STATUS_NO_MEMORY;
+    free(d.rest);
     for (int l = 0; l <= levels; l++)
         free(d.middle[l]);
     return status ? status : close_cells(&d);
@@ -281,11 +324,6 @@ void plane_mosaic_name(struct plane_study *s)
 }
 
 /* ---- answers ------------------------------------------------------------- */
-
-static int cell_at(int n, double part)
-{
-    return (int) fmin(fmax(part * n, 0.0), n - 1.0);
-}
 
 int8_t plane_mosaic_at(const struct plane_study *s, size_t region,
                        struct vec2 z, const struct crossing c[])

@@ -4,10 +4,11 @@
  * from its lowest row in the window to its highest, s on each row from its left
  * end to its right one, both evenly in the drawing.
  *
- * A cell has a goal if the middles of it and of its neighbours all have that
- * and it lies in one part (plane_parts.h) of its patch, and else is parted into
- * four, as far as they are larger than TOL_PLANE_CELL: a border that bends no
- * more sharply than cells are wide does not go unseen.
+ * A cell has a goal if the middles of it and of its neighbours all have that,
+ * or the equilibria that attract in them, and it lies in one part
+ * (plane_parts.h) of its patch, and else is parted into four, as far as they
+ * are larger than TOL_PLANE_CELL: a border that bends no more sharply than
+ * cells are wide does not go unseen.
  */
 #pragma once
 

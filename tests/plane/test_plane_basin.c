@@ -104,6 +104,26 @@ static void a_cycle_that_jumps_is_one(void **state)
     }
 }
 
+/* r' = r (r^4 (1 - r^2) - 1e-5): what goes to the origin, r < 0.0563, is seen
+ * by few orbits, and it takes 64,000 rounds to leave it backward. */
+static void what_attracts_has_what_is_about_it(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c,
+              "r2 = x^2 + y^2; g = r2^2*(1 - r2) - 1e-5; x' = x*g - y; "
+              "y' = y*g + x",
+              WINDOW);
+    assert_int_equal(s.basin.disagreements, 0);
+    const double held = s.basin.share[0].fraction.value,
+                 open = s.basin.elsewhere.undecided.value;
+    CHECK(held + open > M_PI / 16.0 * 0.0563 * 0.0563 && held + open < 0.01,
+          "%g of the focus and %g undecided", held, open);
+    plane_end(&s, &c);
+}
+
 /* r' = r (r^2 - 1): the unit disc goes to the origin. */
 static void a_cycle_that_repels_is_a_boundary(void **state)
 {
@@ -430,6 +450,7 @@ int main(void)
         TEST(a_bent_separatrix_has_the_area_beside_it),
         TEST(a_cycle_that_attracts_has_all_of_van_der_pol),
         TEST(a_cycle_that_jumps_is_one),
+        TEST(what_attracts_has_what_is_about_it),
         TEST(a_cycle_that_repels_is_a_boundary),
         TEST(cycles_that_attract_at_once_are_seen),
         TEST(a_driven_pendulum_rotates),
