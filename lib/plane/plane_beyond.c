@@ -40,28 +40,50 @@ static bool is_done(const struct plane_study *s, struct vec2 z,
                fabs(part_of(rate, 1 - axis));
 }
 
+/* Whether Newton's step from there, by the field and its Jacobian, is as short
+ * as what is still at the fastest rate; along a line of equilibria, by the
+ * Jacobian's size.  A slow plane is no resting one. */
+static bool is_resting(const struct plane_study *s,
+                       const struct planar_jacobian *J)
+{
+    const struct mat2 m = J->matrix;
+    const struct vec2 f = J->field.direction;
+    const double det = mat2_det(m), size = fmax(fmax(fabs(m.xx), fabs(m.xy)),
+                                                fmax(fabs(m.yx), fabs(m.yy)));
+    const bool line = !(fabs(det) > TOL_ROUNDED * size * size);
+    const struct vec2 side = s->scale.side,
+                      step =
+                          line ? vec2_scale(1.0 / size, f)
+                               : (struct vec2){ (m.yy * f.x - m.xy * f.y) / det,
+                                                (m.xx * f.y - m.yx * f.x) /
+                                                    det };
+
+    return hypot(step.x / side.x, step.y / side.y) <= TOL_PLANE_STILL;
+}
+
 bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
                      bool left, struct plane_beyond *out)
 {
     const struct planar *system = &s->system[backward];
     bool still[2];
-    struct planar_field f;
+    struct planar_jacobian J;
 
     if (!left && box_holds(s->window.box, z))
         return false;
-    system->field(system->ctx, vec2_sub(z, system->origin), &f);
+    system->jacobian(system->ctx, vec2_sub(z, system->origin), &J);
+    const struct planar_field f = J.field;
     for (int i = 0; i < 2; i++)
         still[i] = fabs(part_of(f.direction, i)) * exp(f.log_scale) <=
                    TOL_PLANE_STILL * s->kappa * part_of(s->scale.side, i);
-    if (!left && !(still[0] && still[1]))
+    const bool rests = still[0] && still[1] && is_resting(s, &J);
+    if (!left && !rests)
         return false;
     *out = (struct plane_beyond){ .rests = !left };
     for (int i = 0; i < 2; i++) {
         out->limit[i] = part_of(z, i);
-        out->way[i] =
-            still[i] && (still[1 - i] || is_done(s, z, f.direction, i))
-                ? PLANE_WAY_LIMIT
-                : way_of(s, i, part_of(z, i));
+        out->way[i] = still[i] && (rests || is_done(s, z, f.direction, i))
+                          ? PLANE_WAY_LIMIT
+                          : way_of(s, i, part_of(z, i));
     }
     return true;
 }

@@ -162,6 +162,21 @@ static void what_comes_back_from_afar_is_not_told_infinity(void **state)
     plane_end(&s, &c);
 }
 
+/* Beside a rate of 1e10, nothing else seemed to move. */
+static void what_is_slow_outside_does_not_rest_there(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "x' = -1e10*(x - y); y' = 0.01*y*(y - 1)",
+              "window={x: [-1, 1.5], y: [-1, 1.5]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    has_share(&s, "stable_node_0", 0.8, 1e-9);
+    has_share(&s, "x_to_infinity_y_to_infinity", 0.2, 1e-9);
+    plane_end(&s, &c);
+}
+
 /* x = 0 rests, all along: an orbit that comes there tells of no equilibrium
  * that stands alone.  From x > 0, y > 0 all go to infinity. */
 static void a_line_that_rests_goes_on_beyond_the_window(void **state)
@@ -224,6 +239,7 @@ int main(void)
         TEST(curves_that_cross_at_a_saddle_share_out_the_window),
         TEST(a_saddle_in_the_corner_has_manifolds),
         TEST(what_comes_back_from_afar_is_not_told_infinity),
+        TEST(what_is_slow_outside_does_not_rest_there),
         TEST(a_line_that_rests_goes_on_beyond_the_window),
         TEST(rotations_that_attract_go_to_infinity),
     };
