@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "graph.h"
 #include "grow.h"
@@ -23,11 +24,23 @@ struct taylor_orbit taylor_orbit_at(const struct planar *system, struct vec2 z,
                                   .z = z };
 }
 
-/* In units of time in which the field at the start is its direction. */
+/* In units of time in which the field at the start is its direction times
+ * `unit`. */
 struct series {
     double at[2][JET_SIZE];
-    double log_scale;
+    double log_scale, unit;
 };
+
+/* 1, or the power of two that makes it move by about a window, where powers of
+ * how fast it is, up to the order, would all but leave the doubles. */
+static double unit_of(const struct taylor_orbit *o, jet_pair x, jet_pair y)
+{
+    const double speed = hypot(x[0] / o->side.x, y[0] / o->side.y);
+    const int e = speed > 0.0 && isfinite(speed) ? ilogb(speed) : 0;
+
+    return abs(e) * (int) o->order > DBL_MAX_EXP - DBL_MANT_DIG ? ldexp(1.0, -e)
+                                                                : 1.0;
+}
 
 static void expand(const struct taylor_orbit *o, struct series *u)
 {
@@ -40,8 +53,10 @@ static void expand(const struct taylor_orbit *o, struct series *u)
     at[1][0] = JET_PAIR(o->z.y);
     for (size_t k = 0; k < o->order; k++) {
         o->system->jet(o->system->ctx, &work, k, at[0], at[1], f[0], f[1]);
+        if (k == 0)
+            u->unit = unit_of(o, f[0][0], f[1][0]);
         for (int i = 0; i < 2; i++)
-            at[i][k + 1] = f[i][k] * jet_inverse[k + 1];
+            at[i][k + 1] = f[i][k] * (u->unit * jet_inverse[k + 1]);
     }
     jet_take(o->order, at[0], 0, u->at[0]);
     jet_take(o->order, at[1], 0, u->at[1]);
@@ -73,7 +88,7 @@ static double miss_at(const struct taylor_orbit *o, const struct series *u,
     *end = (struct vec2){ jet_at(o->order, u->at[0], s),
                           jet_at(o->order, u->at[1], s) };
     o->system->field(o->system->ctx, *end, &f);
-    const double scale = exp(f.log_scale - u->log_scale);
+    const double scale = u->unit * exp(f.log_scale - u->log_scale);
     const double rate[] = { scale * f.direction.x, scale * f.direction.y };
     for (int i = 0; i < 2; i++) {
         const double slope = jet_slope_at(o->order, u->at[i], s);

@@ -162,6 +162,23 @@ static void what_comes_back_from_afar_is_not_told_infinity(void **state)
     plane_end(&s, &c);
 }
 
+/* Two genes that switch each other off, at 2.8e-24 and 2.7e-15 of one: the
+ * field's direction is as small there. */
+static void what_is_all_but_switched_off_comes_to_rest(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    plane_run(&s, &c, "u' = 2/(1 + v^50) - u; v' = 3/(1 + u^50) - v",
+              "system.state={u: positive, v: positive}\n"
+              "window={u: [0.01, 5], v: [0.01, 5]}\nproducts=[basins]\n"
+              "basins.audit=50\n");
+    has_share(&s, "u_to_2.7859e-24_v_to_3", 0.7121866531008, 1e-9);
+    has_share(&s, "u_to_2_v_to_2.6645e-15", 1.0 - 0.7121866531008, 1e-9);
+    plane_end(&s, &c);
+}
+
 /* Beside a rate of 1e10, nothing else seemed to move. */
 static void what_is_slow_outside_does_not_rest_there(void **state)
 {
@@ -239,6 +256,7 @@ int main(void)
         TEST(curves_that_cross_at_a_saddle_share_out_the_window),
         TEST(a_saddle_in_the_corner_has_manifolds),
         TEST(what_comes_back_from_afar_is_not_told_infinity),
+        TEST(what_is_all_but_switched_off_comes_to_rest),
         TEST(what_is_slow_outside_does_not_rest_there),
         TEST(a_line_that_rests_goes_on_beyond_the_window),
         TEST(rotations_that_attract_go_to_infinity),
