@@ -158,8 +158,8 @@ static void check_map(const struct draw *d, enum kind kind, struct vec2 z,
                       double wide, size_t cells, size_t looks, bool exactly,
                       uint64_t *rng, struct tally *t)
 {
-    static struct cell c[MANY * MANY];
-    static int8_t label[MANY * MANY];
+    struct cell c[MANY];
+    int8_t label[MANY];
     const struct vec2 half = { wide, wide };
     const struct push_state lo = state_of(d, vec2_sub(z, half));
     const struct push_state hi = state_of(d, vec2_add(z, half));
@@ -176,15 +176,14 @@ static void check_map(const struct draw *d, enum kind kind, struct vec2 z,
     const enum status status = study_run(&s, &scene, NULL, &why);
     CHECK(status == STATUS_OK, "%s: %s", d->name, why.text);
     const struct basin_map *m = &s.basins;
-    assert_int_equal(fields_find(&s.fields, 0, cells, NULL, c), 0);
-    assert_int_equal(basin_map_rows(m, 0, cells, label), 0);
     for (size_t i = 0; i < looks; i++) {
         const size_t at = check_bits(rng) % (cells * cells);
-        const struct place p = { d,
-                                 kind,
-                                 { m->x[at % cells], m->y[at / cells] } };
-        const struct told by_cell = of_cell(&c[at]);
-        const struct told by_label = nothing(label[at]);
+        const size_t column = at % cells, row = at / cells;
+        const struct place p = { d, kind, { m->x[column], m->y[row] } };
+        assert_int_equal(fields_find(&s.fields, row, 1, NULL, c), 0);
+        assert_int_equal(basin_map_rows(m, row, 1, label), 0);
+        const struct told by_cell = of_cell(&c[column]);
+        const struct told by_label = nothing(label[column]);
         compare(t, &p, BY_MAP, &by_cell, BY_MAP, &by_label);
         t->states++;
         t->undecided[kind] += by_cell.fate == FATE_UNDECIDED;

@@ -290,7 +290,7 @@ static void bars_of_grids_hold_and_half_of_them_are_not_much_wider(void **state)
         "basins={cells: [64, 64], audit: 0}", NULL
     };
     const size_t draws = asked("BAR_GRIDS", 8);
-    static struct cell c[SIDE * SIDE];
+    static struct cell row[SIDE];
     uint64_t rng = check_seed();
     static struct slope s;
     static struct quad_slope q;
@@ -303,14 +303,16 @@ static void bars_of_grids_hold_and_half_of_them_are_not_much_wider(void **state)
         draw(i, &rng, grid, 1e-8, &s);
         const struct basin_map *m = &s.study.basins;
         quad_slope_init(&q, &s.study);
-        assert_int_equal(fields_find(&s.study.fields, 0, SIDE, NULL, c), 0);
         for (int k = 0; k < OF_GRID; k++) {
             const size_t at = check_bits(&rng) % (SIDE * SIDE);
             const struct vec2 z = { m->x[at % SIDE], m->y[at / SIDE] };
-            if (k < EACH || !finer_cell(&s.study.fields, z, &c[at], &t))
+            const struct cell *const c = &row[at % SIDE];
+            assert_int_equal(
+                fields_find(&s.study.fields, at / SIDE, 1, NULL, row), 0);
+            if (k < EACH || !finer_cell(&s.study.fields, z, c, &t))
                 quad_orbit_find(&q, (quad) z.x, (quad) z.y, 1e-8, &t);
             if (is_known(&t))
-                note_cell(GRID, z, &c[at], &t);
+                note_cell(GRID, z, c, &t);
         }
         slope_free(&s);
     }
