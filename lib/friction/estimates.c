@@ -56,7 +56,6 @@ bool estimates_at(const struct law *law, const struct material *m,
         .x_k = estimates_persistence(eta, exp(-x)),
         .x_k_small_psi = eta * (M_LN2 + x),
         .x_k_zero_slope = eta * (M_LN2 + m->mu_star / d),
-        .alpha_f_bound = atan(m->mu_star + d * M_LN2),
         .alpha_f = atan(f),
         .tan_alpha_f = f,
     };

@@ -16,7 +16,6 @@ struct estimates {
     double x_k;            /* (30): 2 eta atanh(exp(-psi_sp0)) */
     double x_k_small_psi;  /* (31): small psi_sp0 */
     double x_k_zero_slope; /* (31) at alpha = 0 */
-    double alpha_f_bound;  /* atan(mu_star + (b-a) ln 2) */
     double alpha_f;        /* (42) with e = 1e-16 */
     double tan_alpha_f; /* what (43) should print: it prints the arctangent */
 };
