@@ -48,7 +48,7 @@ enum status origin_read(const char *path, origin_suits *suits,
                         struct origin *out, struct fault *why)
 {
     struct look l = { path, suits };
-    struct origin o = { NULL };
+    struct origin o = { .held = NULL };
     size_t size;
 
     *out = o;

@@ -314,7 +314,8 @@ static void add_equilibria(const struct plot *p)
                 figure_add(p->figure,
                            &(struct figure_layer){
                                .kind = FIGURE_POINTS,
-                               .style = { .role = FIGURE_SERIES_1 + type },
+                               .style = { .role = (enum figure_role)(
+                                              FIGURE_SERIES_1 + type) },
                                .entry = picture_plane_look[type].entry,
                                .x = p->s->axis[0].value,
                                .y = y,
