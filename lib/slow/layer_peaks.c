@@ -2,6 +2,7 @@
  * steps that judge it, are of one orbit alone. */
 #include "layer_peaks.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -173,10 +174,30 @@ static bool mu_rises(const struct landing *l)
     return block_mu(b, ahead) >= block_mu(b, z);
 }
 
+/* How much less than mu, the largest on the curve from y on, is to come where
+ * friction is below that by `apart` at most, in each 1/fast by e times
+ * less, and the curve's falls by r meanwhile: after ln(apart/r) of these it
+ * lacks r (1 + ln(apart/r)). */
+static double mu_lacks(const struct landing *l, const struct slow_point *p,
+                       double y, double mu, double apart)
+{
+    const double way = -copysign(TOL_ASIDE, p->time_slope);
+    const struct vec2 ahead = { p->x + way * p->x_slope, y + way };
+    const double falls = fabs(mu - block_mu(&l->curve->slider->block, ahead)) +
+                         TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(mu);
+    const double r = 2.0 * falls / fabs(way * p->time_slope * p->fast);
+    const double folds = log(apart / r);
+
+    return folds > 0.0 && folds * p->gap < TOL_FAR_BELOW ? r * (1.0 + folds)
+                                                         : apart;
+}
+
 /* The largest friction to come, which is the curve's but for *aside.  What sets
  * friction here apart from that on the curve only decays: where friction falls
  * by now, and along the curve, there is none to come; and of a peak beyond the
- * next knot, higher than all before it can be, only what is left by then. */
+ * next knot, higher than all before it can be, only what is left by then.
+ * Clearly below the curve's it stays below, unless the fibre turns before it is
+ * there. */
 static double mu_to_come(const struct landing *l, const struct slow_point *p,
                          double y, double off, double *aside)
 {
@@ -184,16 +205,22 @@ static double mu_to_come(const struct landing *l, const struct slow_point *p,
     const double mu = block_mu(b, (struct vec2){ p->x, y });
     const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
     const double near = is_ahead ? fmax(mu, p->mu_near) : mu;
-    const double apart = fabs(off) * (b->steep.x * fabs(p->fibre.x) +
-                                      b->steep.y * fabs(p->fibre.y));
-    const double wide = 2.0 * apart + TOL_LAYER_TRANSPORT * l->across *
-                                          (b->steep.x + b->steep.y);
+    const double apart =
+        2.0 * fabs(off) *
+        (b->steep.x * fabs(p->fibre.x) + b->steep.y * fabs(p->fibre.y));
+    const double orbit =
+        TOL_LAYER_TRANSPORT * l->across * (b->steep.x + b->steep.y);
+    const bool falls = near == mu && !(p->mu_peak > mu);
+    const bool is_below = mu - l->mu > fmax(TOL_SHARE * apart, orbit) &&
+                          TOL_SETTLED * p->gap < 1.0;
+    const double below = falls        ? mu_lacks(l, p, y, mu, apart)
+                         : near == mu ? 0.0
+                                      : apart;
+    const double wide = orbit + (is_below ? below : apart);
 
     *aside = TOL_LAYER_FORGET * fabs(off) * exp(-p->mu_folds) +
              (near + wide < p->mu_peak ? 0.0 : wide);
-    return near == mu && !(p->mu_peak > mu) && !mu_rises(l)
-               ? -HUGE_VAL
-               : fmax(near, p->mu_peak);
+    return falls && !mu_rises(l) ? -HUGE_VAL : fmax(near, p->mu_peak);
 }
 
 /* Where it still rises, the end of its last step may lie beyond the face. */
