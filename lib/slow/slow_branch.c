@@ -47,11 +47,26 @@ static struct slow_knot *push(struct slow_branch *b)
 
 /* ---- a branch ------------------------------------------------------------ */
 
+/* How fast the slopes of time and slip change, per unit of y, as parts of
+ * themselves, and how fast such a part does since the knot before: one that
+ * vanishes does so at a point. */
+static double change_at(const struct slow_branch *b)
+{
+    const struct slow_knot *k = &b->knot[b->count - 1];
+    const struct slow_knot *f = b->count > 1 ? k - 1 : k;
+    const double time = k->time[2] / k->time[1];
+    const double slip = k->slip[2] / k->slip[1];
+    const double turn = time - f->time[2] / f->time[1];
+    const double most = fmax(fabs(time), fabs(slip));
+
+    return k->y != f->y ? fmax(most, sqrt(fabs(turn / (k->y - f->y)))) : most;
+}
+
 /* Steps no longer than what the polynomials bear. */
-static void hold_back(struct orbit *o, double bend)
+static void hold_back(struct orbit *o, const struct slow_branch *b)
 {
     const double speed = fabs(o->du[1]);
-    const double most = fmin(TOL_SLOW_STEP / bend, TOL_NEARBY);
+    const double most = fmin(TOL_SLOW_STEP / change_at(b), TOL_NEARBY);
 
     if (speed * o->h > most)
         o->h = most / speed;
@@ -133,7 +148,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
         struct slow_knot *const k = push(b);
         if (k == NULL)
             return STATUS_NO_MEMORY;
-        const double bend = slow_knot_at(s, o->u, slope_of(o), k);
+        slow_knot_at(s, o->u, slope_of(o), k);
         note_drift(o, (struct vec2){ 0.0, 1.0 }, k);
         k->mu = mu_until(s, o);
         k->time[0] = -slow_knot_gained(o, 2);
@@ -147,7 +162,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
         if (!goes_on)
             break;
         if (isfinite(k->gap))
-            hold_back(o, bend);
+            hold_back(o, b);
         status = orbit_step(o);
         if (status == STATUS_OK && o->steps % TOL_MONITOR_STEPS == 0 &&
             monitor_tell(monitor, "slow curve", o->steps, 0))
@@ -485,7 +500,7 @@ bool slow_branch_may_start(const struct slider *s, int fast, struct vec2 z)
     const double u[] = { z.x, z.y };
     struct slow_knot k;
 
-    (void) slow_knot_at(s, u, 0.0, &k);
+    slow_knot_at(s, u, 0.0, &k);
     return k.gap < TOL_CLEARLY && !slow_knot_is_noisy(&k) &&
            slow_knot_is_fast_y(&k) == (fast == 1);
 }

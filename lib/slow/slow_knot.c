@@ -41,9 +41,9 @@ bool slow_knot_is_fast_y(const struct slow_knot *k)
 
 /* At the offset u with the slope dx/dy, but for the values of time and slip.
  * Where rounding spoils the fast component the curve is as good as along the
- * slow eigenvector.  Returns |d ln y'/dy|. */
-double slow_knot_at(const struct slider *s, const double u[], double slope,
-                    struct slow_knot *k)
+ * slow eigenvector. */
+void slow_knot_at(const struct slider *s, const double u[], double slope,
+                  struct slow_knot *k)
 {
     const struct vec2 z = { u[0], u[1] };
     struct planar_jacobian J;
@@ -70,7 +70,6 @@ double slow_knot_at(const struct slider *s, const double u[], double slope,
     k->time[2] = bend / rate;
     k->slip[1] = -v / rate;
     k->slip[2] = v * (bend - slope) / rate;
-    return fabs(bend);
 }
 
 /* Sooner where x is the slow one: of y' all is made. */

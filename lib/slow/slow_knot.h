@@ -36,9 +36,9 @@ struct slow_knot {
 
 /* At the offset u = (x, y) of the slider's system, with the slope dx/dy of the
  * orbit: all but the values of time and slip, what is summed along the way, and
- * the peaks.  Returns |d ln y'/dy|. */
-double slow_knot_at(const struct slider *s, const double u[], double slope,
-                    struct slow_knot *k);
+ * the peaks. */
+void slow_knot_at(const struct slider *s, const double u[], double slope,
+                  struct slow_knot *k);
 
 /* Whether y settles first, not x. */
 bool slow_knot_is_fast_y(const struct slow_knot *k);

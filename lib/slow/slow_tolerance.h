@@ -5,12 +5,13 @@
 
 /* The slow curve (slow_curve.c), whose orbit is as accurate as that of a rest,
  * TOL_REST_WRONG; to TOL_COARSEST one that is coarser by TOL_FINER must
- * agree on what is left of a rest.  Steps, in e-folds of the slow rate (and
- * TOL_NEARBY in ln psi), that polynomials of degree 5 bear to 1e-11, at most
- * TOL_BRANCH_STEPS; how much of what twice the step misses one step may, but
- * for rounding; the ratio of the slow rate to the fast one below which slopes
- * are mostly noise, where curvatures come from knots not nearer than TOL_SHARE
- * of an interval, and below which they are those of the eigenvector. */
+ * agree on what is left of a rest.  Steps, in e-folds of the slopes of time and
+ * slip (and TOL_NEARBY in ln psi), that polynomials of degree 5 bear to 1e-11,
+ * at most TOL_BRANCH_STEPS; how much of what twice the step misses one step
+ * may, but for rounding; the ratio of the slow rate to the fast one below which
+ * slopes are mostly noise, where curvatures come from knots not nearer than
+ * TOL_SHARE of an interval, and below which they are those of the eigenvector.
+ */
 #define TOL_SLOW_STEP   0.035
 #define TOL_SLOW_MISSED 0.05
 #define TOL_SLOW_NOISY  1e-5

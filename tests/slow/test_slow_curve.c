@@ -260,6 +260,46 @@ static void fibres_lead_to_fibres(void **state)
     CHECK(told > 100, "%d", told);
 }
 
+/* The largest error of time and slip between knots, of what is still to come
+ * there; but not where that is rounding, of y' or of where the face is. */
+static double missed_between(const struct slow_branch *b, double gap)
+{
+    double most = 0.0;
+
+    for (size_t i = 1; i < b->count; i++) {
+        const struct slow_knot *k = &b->knot[i], *f = k - 1;
+        if (!(f->gap > gap && isfinite(f->gap) && k->time[0] > 0.1))
+            continue;
+        most = fmax(most, k->time_error / k->time[0]);
+        most = fmax(most, k->slip_error / k->slip[0]);
+    }
+    return most;
+}
+
+/* Also where the slopes have a largest or least value. */
+static void knots_are_as_near_as_polynomials_bear(void **state)
+{
+    static const struct {
+        const char *name;
+        double gap; /* below which y' is mostly rounding */
+    } law[] = { { "spinodal_gen", 1e-4 },
+                { "spinodal", 1e-4 },
+                { "spinodal_phi_gen", 1e-4 },
+                { "dieterich_gen", 1e-7 } };
+    struct slow_curve c;
+    struct slope s;
+
+    (void) state;
+    for (size_t i = 0; i < sizeof law / sizeof *law; i++) {
+        make(&c, &s, law[i].name, "0.34");
+        for (size_t k = 0; k < c.branches; k++) {
+            const double missed = missed_between(&c.branch[k], law[i].gap);
+            CHECK(missed < 3e-11, "%s, %zu: %g", law[i].name, k, missed);
+        }
+        drop(&c, &s);
+    }
+}
+
 static void a_monitor_stops_it(void **state)
 {
     const struct monitor monitor = { stop_at_once, NULL };
@@ -303,6 +343,7 @@ int main(void)
         cmocka_unit_test(it_leads_on_where_blocks_never_quite_stop),
         cmocka_unit_test(a_knot_has_no_number_that_is_none),
         cmocka_unit_test(fibres_lead_to_fibres),
+        cmocka_unit_test(knots_are_as_near_as_polynomials_bear),
         cmocka_unit_test(a_monitor_stops_it),
         cmocka_unit_test(every_allocation_may_fail),
     };
