@@ -202,6 +202,20 @@ static void look_back(struct rest_curve *c)
     }
 }
 
+/* What falls from f[0] to g[0], with slopes and second derivatives, nearly as a
+ * power of v: a polynomial's exponential. */
+static double falling(const double f[3], const double g[3], double h,
+                      double theta, double *slope)
+{
+    const double a = f[1] / f[0], b = g[1] / g[0];
+    const double from[3] = { 0.0, a, f[2] / f[0] - a * a };
+    const double to[3] = { log(g[0] / f[0]), b, g[2] / g[0] - b * b };
+    const double value = f[0] * exp(slow_quintic(from, to, h, theta, slope));
+
+    *slope *= value;
+    return value;
+}
+
 /* Time and slip between two knots. */
 static void between(const struct rest_knot *f, const struct rest_knot *g,
                     double theta, struct rest_point *p)
@@ -212,8 +226,8 @@ static void between(const struct rest_knot *f, const struct rest_knot *g,
     const double x0[3] = { f->at.slip, f->at.slip_slope, f->slip_bend };
     const double x1[3] = { g->at.slip, g->at.slip_slope, g->slip_bend };
 
-    p->time = slow_quintic(t0, t1, h, theta, &p->time_slope);
-    p->slip = slow_quintic(x0, x1, h, theta, &p->slip_slope);
+    p->time = falling(t0, t1, h, theta, &p->time_slope);
+    p->slip = falling(x0, x1, h, theta, &p->slip_slope);
 }
 
 /* As of slow_branch.c: by what a polynomial over two steps misses between. */

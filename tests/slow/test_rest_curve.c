@@ -42,6 +42,8 @@ static void orbits_on_it_take_the_tabulated_time_and_slip(void **state)
         CHECK(fabs(r.time.value - p.time) <= 1e-8 * p.time + r.time.error,
               "x %g: %.12g, not %.12g +- %g", x, p.time, r.time.value,
               r.time.error);
+        CHECK(p.time_error <= 1e-10 * p.time && p.slip_error <= 1e-10 * p.slip,
+              "x %g: %g, %g", x, p.time_error / p.time, p.slip_error / p.slip);
         CHECK(fabs(r.slip.value - p.slip) <= 1e-8 * p.slip + r.slip.error,
               "x %g: %.12g, not %.12g +- %g", x, p.slip, r.slip.value,
               r.slip.error);
