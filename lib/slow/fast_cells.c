@@ -409,12 +409,13 @@ static enum status add_peaks(const struct fast_cells *f,
     return status;
 }
 
-/* n states, n <= FEWEST: none is followed twice. */
+/* n states, n <= FEWEST: none is followed twice, nor finer than the curve is:
+ * an orbit that asks too much is lost. */
 static enum status sample_some(const struct fast_cells *f,
                                struct patch_sample s[], size_t n, double rtol,
                                unsigned which)
 {
-    struct layer_options options = layer_defaults(fmax(rtol, TOL_RTOL_DEFAULT));
+    struct layer_options options = layer_defaults(fmax(rtol, TOL_REST_WRONG));
     struct layer_job job[FEWEST];
     struct layer layer[FEWEST];
     bool whole[FEWEST];

@@ -308,16 +308,20 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
         wait > 0.0 ? wait * exp(s->block.at.x0 + p->x_end) : 0.0;
     const double late = 2.0 * fabs(p->time_slope) * bend;
     const double lateness =
-        p->fate == FATE_REST_ASYMPTOTIC ? 0.0 : (late + wait) / time;
+        p->fate == FATE_REST_ASYMPTOTIC
+            ? 0.0
+            : (late + wait) / fmax(time, l->curve->time_least);
     const double long_ = 2.0 * fabs(p->slip_slope) * bend + unsaid;
     struct layer *const out = l->out;
 
     *excess =
-        (l->options.through ? bend : fmax(lateness, (long_ + waste) / slip)) /
-        (TOL_SHARE * l->options.promise);
+        fmax(lateness, (long_ + waste) / fmax(slip, l->curve->slip_least));
+    if (l->options.through)
+        *excess = fmax(*excess, bend);
+    *excess /= TOL_SHARE * l->options.promise;
     if (is_vague(l, p, off, bend))
         *excess = fmax(*excess, 1.0 / TOL_SHARE);
-    if (*excess > 1.0 && fabs(off) > TOL_SAME)
+    if (*excess > 1.0 && fabs(off) > TOL_ROOT)
         return false;
     if (!is_clear(l, p, y))
         return false;

@@ -63,7 +63,7 @@ static bool land(struct landing *l, const struct rest_point *p, double off,
 
     *excess =
         bend * fmax(late / time, far / slip) / (TOL_SHARE * l->options.promise);
-    if (*excess > 1.0 && fabs(off) > TOL_SAME)
+    if (*excess > 1.0 && fabs(off) > TOL_ROOT)
         return false;
     out->end = LAYER_LANDED;
     out->fate = FATE_REST_FINITE;

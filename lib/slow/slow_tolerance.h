@@ -77,7 +77,7 @@
 
 /* It lands only where the fibre's part of the bar is within TOL_SHARE of what
  * was promised (finer tries aim at it, too), and its place is clearly known
- * beside the way to it; or TOL_SAME near, for friction this near; nearer by
+ * beside the way to it; or TOL_ROOT near, for friction this near; nearer by
  * TOL_RETRY at most at once, and by TOL_SHARE towards a peak beside the
  * curve. */
 #define TOL_LAYER_MU_TOUCH 1e-9

@@ -152,6 +152,38 @@ static void most_states_need_no_whole_orbit(void **state)
     check_whole("perrin", "0.30", &seed);
 }
 
+/* How many of 400 states have a bar of slip or time above 1e-9 of it. */
+static int too_wide(const char *law)
+{
+    enum { N = 400 };
+    static struct vec2 z[N];
+    static struct cell out[N];
+    struct place p;
+    int wide = 0;
+
+    make(&p, law, "0.34");
+    const struct vec2 o = p.s.study.slider.plane.system.origin;
+    for (int i = 0; i < N; i++)
+        z[i] = (struct vec2){ o.x - 14.0 + i % 20, o.y - 5.5 + 0.5 * (i / 20) };
+    find(&p, z, N, 1e-9, 1u << CELL_SLIP | 1u << CELL_TIME, out);
+    for (int i = 0; i < N; i++)
+        wide += out[i].slip_error > 1e-9 * out[i].slip ||
+                out[i].time_error > 1e-9 * out[i].time;
+    drop(&p);
+    return wide;
+}
+
+/* On the way to a node, and to rest. */
+static void bars_are_within_what_is_asked(void **state)
+{
+    static const char *const law[] = { "dieterich_gen", "spinodal_gen",
+                                       "spinodal", "spinodal_phi_gen" };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof law / sizeof *law; i++)
+        CHECK(too_wide(law[i]) == 0, "%s: %d", law[i], too_wide(law[i]));
+}
+
 static void any_number_of_threads_gives_the_same_bits(void **state)
 {
     enum { N = 100 };
@@ -272,6 +304,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_value_is_that_of_the_whole_orbit),
         cmocka_unit_test(most_states_need_no_whole_orbit),
+        cmocka_unit_test(bars_are_within_what_is_asked),
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(states_beyond_the_slow_curve_take_their_whole_orbits),
         cmocka_unit_test(a_peak_at_the_end_is_known_to_rounding),
