@@ -5,8 +5,8 @@
 
 const char *const plane_unknown_texts[PLANE_UNKNOWNS] = {
     [PLANE_UNKNOWN_CLOSED] =
-        "closed orbits attract none beside them, as where something is "
-        "conserved",
+        "closed orbits are not told to attract those beside them, as where "
+        "something is conserved",
     [PLANE_UNKNOWN_LOST] =
         "orbits come so near to an equilibrium that is not hyperbolic, to a "
         "box that may hold one, to a closed orbit, or to where formulas may "

@@ -215,7 +215,7 @@ struct plane_basin {
     struct plane_boundary *boundary; /* owned */
     size_t boundaries;
     int64_t cells, disagreements; /* of the audit */
-    int64_t neutral; /* closed orbits met that attract none beside them */
+    int64_t neutral; /* closed orbits met, not told to attract others */
     bool unknown[PLANE_UNKNOWNS]; /* reasons met for what is undecided */
     int64_t steps; /* of all orbits: TOL_PLANE_WORK ends labels and audit */
     struct plane_elsewhere elsewhere;
