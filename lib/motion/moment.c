@@ -35,17 +35,45 @@ static struct vec2 place(const double u[])
 
 /* ---- functions of the state ---------------------------------------------- */
 
-/* (17): d ln v/dt = cos(alpha)/(eps^2 v) (tan(alpha) - mu), which has all its
- * digits near the anchor. */
-double moment_excess_friction(const struct slider *s, struct vec2 z)
+static struct planar_field field_at(const struct slider *s, struct vec2 z)
 {
     struct planar_field f;
 
     s->plane.system.field(s->plane.system.ctx, z, &f);
-    if (fabs(f.direction.x) > TOL_MOMENT_DIRECTION)
-        return -f.direction.x *
-               exp(f.log_scale + z.x - s->block.at.log_inertia);
+    return f;
+}
+
+/* (17): d ln v/dt = cos(alpha)/(eps^2 v) (tan(alpha) - mu), which has all its
+ * digits near the anchor. */
+static double excess_by(const struct slider *s, struct vec2 z,
+                        const struct planar_field *f)
+{
+    if (fabs(f->direction.x) > TOL_MOMENT_DIRECTION)
+        return -f->direction.x *
+               exp(f->log_scale + z.x - s->block.at.log_inertia);
     return block_mu(&s->block, z) - (double) s->block.tan_alpha;
+}
+
+double moment_excess_friction(const struct slider *s, struct vec2 z)
+{
+    const struct planar_field f = field_at(s, z);
+
+    return excess_by(s, z, &f);
+}
+
+/* ---- functions along an orbit -------------------------------------------- */
+
+/* Its field at u. */
+static const struct planar_field *field_of(const struct moment_along *a,
+                                           const double u[])
+{
+    struct moment_look *l = a->last;
+
+    if (!(l->z.x == u[0] && l->z.y == u[1])) {
+        l->z = place(u);
+        l->f = field_at(a->slider, l->z);
+    }
+    return &l->f;
 }
 
 static double ln_v(const void *ctx, double s, const double u[])
@@ -62,35 +90,32 @@ static double psi(const void *ctx, double s, const double u[])
 
 static double psi_rate(const void *ctx, double s, const double u[])
 {
-    const struct planar *sys = &((const struct slider *) ctx)->plane.system;
-    struct planar_field f;
-
     (void) s;
-    sys->field(sys->ctx, place(u), &f);
-    return f.direction.y;
+    return field_of(ctx, u)->direction.y;
 }
 
 /* dmu along the field's direction; the gradient of mu from that of mu v. */
 static double mu_rate(const void *ctx, double s, const double u[])
 {
-    const struct planar *sys = &((const struct slider *) ctx)->plane.system;
-    const struct vec2 z = place(u);
-    struct planar_field f;
+    const struct moment_along *a = ctx;
+    const struct planar *sys = &a->slider->plane.system;
+    const struct vec2 z = place(u), f = field_of(a, u)->direction;
     struct vec2 work;
     double v, mu_v;
 
     (void) s;
-    sys->field(sys->ctx, z, &f);
     sys->rate_gradient(sys->ctx, BLOCK_SLIP, z, &v, NULL);
     sys->rate_gradient(sys->ctx, BLOCK_WORK, z, &mu_v, &work);
-    return (work.x - mu_v) / v * f.direction.x + work.y / v * f.direction.y;
+    return (work.x - mu_v) / v * f.x + work.y / v * f.y;
 }
 
 /* Against dv/dt. */
 static double excess(const void *ctx, double s, const double u[])
 {
+    const struct moment_along *a = ctx;
+
     (void) s;
-    return moment_excess_friction(ctx, place(u));
+    return excess_by(a->slider, place(u), field_of(a, u));
 }
 
 static double distance(const struct slider *s, size_t i, struct vec2 z)
@@ -112,7 +137,7 @@ const struct equilibrium *moment_node_at(const struct slider *s, struct vec2 z,
 
 static double node_distance(const void *ctx, double s, const double u[])
 {
-    const struct slider *of = ctx;
+    const struct slider *of = ((const struct moment_along *) ctx)->slider;
     double least = HUGE_VAL;
 
     (void) s;
@@ -130,9 +155,8 @@ static double rate_of(double direction, double log_scale)
 
 struct vec2 moment_rates(const struct slider *s, const double u[])
 {
-    struct planar_field f;
+    const struct planar_field f = field_at(s, place(u));
 
-    s->plane.system.field(s->plane.system.ctx, place(u), &f);
     return (struct vec2){ rate_of(f.direction.x, f.log_scale),
                           rate_of(f.direction.y, f.log_scale) };
 }
@@ -149,45 +173,44 @@ static double (*const watched[MOMENTS])(const void *, double,
 };
 
 /* at: what is watched when it happens, an offset in the chart. */
-static void add(struct moment_watches *w, const struct slider *s,
-                enum moment what, double level, double at)
+static void add(struct moment_watches *w, enum moment what, double level,
+                double at)
 {
     const size_t i = w->count++;
 
     w->watch[i] = (struct moment_watch){ what, level };
     w->event[i] =
-        (struct event){ .value = watched[what], .ctx = s, .level = at };
+        (struct event){ .value = watched[what], .ctx = &w->along, .level = at };
 }
 
 /* From above and from below: friction may pass both between two samples. */
-static void add_nearness(struct moment_watches *w, const struct slider *s,
-                         double level)
+static void add_nearness(struct moment_watches *w, double level)
 {
-    add(w, s, MOMENT_MU_NEARS, level, level);
-    add(w, s, MOMENT_MU_NEARS, level, -level);
+    add(w, MOMENT_MU_NEARS, level, level);
+    add(w, MOMENT_MU_NEARS, level, -level);
 }
 
-static void add_level(struct moment_watches *w, const struct slider *s,
-                      const struct moment_level *l)
+static void add_level(struct moment_watches *w, const struct moment_level *l)
 {
+    const struct slider *s = w->along.slider;
     const bool psi_is_log = !s->plane.system.axis[1].is_log;
 
     if (l->what == MOMENT_MU_NEARS)
-        add_nearness(w, s, l->value);
+        add_nearness(w, l->value);
     else if (l->what == MOMENT_V)
-        add(w, s, l->what, l->value, log(l->value) - s->plane.system.origin.x);
+        add(w, l->what, l->value, log(l->value) - s->plane.system.origin.x);
     else
-        add(w, s, l->what, l->value,
+        add(w, l->what, l->value,
             (psi_is_log ? l->value : log(l->value)) - s->plane.system.origin.y);
 }
 
 /* A critical velocity by its logarithm. */
-static void add_critical(struct moment_watches *w, const struct slider *s,
-                         enum moment what, const struct quantity *ln_v)
+static void add_critical(struct moment_watches *w, enum moment what,
+                         const struct quantity *ln_v)
 {
     if (quantity_exists(ln_v))
-        add(w, s, what, exp(ln_v->value),
-            ln_v->value - s->plane.system.origin.x);
+        add(w, what, exp(ln_v->value),
+            ln_v->value - w->along.slider->plane.system.origin.x);
 }
 
 void moment_watch_all(struct moment_watches *w, const struct slider *s,
@@ -197,19 +220,21 @@ void moment_watch_all(struct moment_watches *w, const struct slider *s,
     const double none = (double) NAN;
 
     w->count = 0;
+    w->look.z.x = none;
+    w->along = (struct moment_along){ s, &w->look };
     if (slider_saddle(s) >= 0)
-        add(w, s, MOMENT_V_SP, s->block.at.v0, 0.0);
-    add_critical(w, s, MOMENT_V_MINUS, &s->critical.ln_v_minus);
-    add_critical(w, s, MOMENT_V_PLUS, &s->critical.ln_v_plus);
-    add(w, s, MOMENT_PSI_MIN, none, 0.0);
-    add(w, s, MOMENT_MU_MIN, none, 0.0);
-    add(w, s, MOMENT_ARREST, none, TOL_ARREST);
+        add(w, MOMENT_V_SP, s->block.at.v0, 0.0);
+    add_critical(w, MOMENT_V_MINUS, &s->critical.ln_v_minus);
+    add_critical(w, MOMENT_V_PLUS, &s->critical.ln_v_plus);
+    add(w, MOMENT_PSI_MIN, none, 0.0);
+    add(w, MOMENT_MU_MIN, none, 0.0);
+    add(w, MOMENT_ARREST, none, TOL_ARREST);
     w->event[w->count - 1].direction = -1;
     w->event[w->count - 1].stop = stop;
-    add(w, s, MOMENT_V_MIN, none, 0.0);
-    add_nearness(w, s, TOL_ARREST * (double) s->block.tan_alpha);
+    add(w, MOMENT_V_MIN, none, 0.0);
+    add_nearness(w, TOL_ARREST * (double) s->block.tan_alpha);
     for (size_t i = 0; i < levels && i < MOMENT_LEVELS_MAX; i++)
-        add_level(w, s, &level[i]);
+        add_level(w, &level[i]);
 }
 
 enum moment moment_of(const struct moment_watches *w,

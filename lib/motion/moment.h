@@ -40,15 +40,31 @@ struct moment_level {
     double value;
 };
 
-/* The functions watched along one orbit, of a slider that must not move. */
+/* The field where it was asked for last: at a sample of an orbit several
+ * functions ask for it. */
+struct moment_look {
+    struct vec2 z; /* offset; x = NaN: nowhere */
+    struct planar_field f;
+};
+
+/* Whose functions are watched. */
+struct moment_along {
+    const struct slider *slider;
+    struct moment_look *last;
+};
+
 struct moment_watch {
     enum moment what; /* of a pair that differs in direction, the first */
     double level;     /* as given; NaN: none */
 };
+
+/* The functions watched along one orbit; neither it nor the slider may move. */
 struct moment_watches {
     struct moment_watch watch[EVENT_COUNT_MAX];
-    struct event event[EVENT_COUNT_MAX]; /* their ctx: the slider */
+    struct event event[EVENT_COUNT_MAX]; /* their ctx: along */
     size_t count;
+    struct moment_along along;
+    struct moment_look look;
 };
 
 /* Levels that fit beside what is always watched. */
