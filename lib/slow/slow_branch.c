@@ -47,26 +47,13 @@ static struct slow_knot *push(struct slow_branch *b)
 
 /* ---- a branch ------------------------------------------------------------ */
 
-/* How fast the slopes of time and slip change, per unit of y, as parts of
- * themselves, and how fast such a part does since the knot before: one that
- * vanishes does so at a point. */
-static double change_at(const struct slow_branch *b)
-{
-    const struct slow_knot *k = &b->knot[b->count - 1];
-    const struct slow_knot *f = b->count > 1 ? k - 1 : k;
-    const double time = k->time[2] / k->time[1];
-    const double slip = k->slip[2] / k->slip[1];
-    const double turn = time - f->time[2] / f->time[1];
-    const double most = fmax(fabs(time), fabs(slip));
-
-    return k->y != f->y ? fmax(most, sqrt(fabs(turn / (k->y - f->y)))) : most;
-}
-
 /* Steps no longer than what the polynomials bear. */
 static void hold_back(struct orbit *o, const struct slow_branch *b)
 {
+    const struct slow_knot *k = &b->knot[b->count - 1];
+    const double change = slow_knot_change(b->count > 1 ? k - 1 : k, k);
+    const double most = fmin(TOL_SLOW_STEP / change, TOL_NEARBY);
     const double speed = fabs(o->du[1]);
-    const double most = fmin(TOL_SLOW_STEP / change_at(b), TOL_NEARBY);
 
     if (speed * o->h > most)
         o->h = most / speed;

@@ -72,6 +72,16 @@ void slow_knot_at(const struct slider *s, const double u[], double slope,
     k->slip[2] = v * (bend - slope) / rate;
 }
 
+double slow_knot_change(const struct slow_knot *f, const struct slow_knot *k)
+{
+    const double time = k->time[2] / k->time[1];
+    const double slip = k->slip[2] / k->slip[1];
+    const double turn = time - f->time[2] / f->time[1];
+    const double most = fmax(fabs(time), fabs(slip));
+
+    return k->y != f->y ? fmax(most, sqrt(fabs(turn / (k->y - f->y)))) : most;
+}
+
 /* Sooner where x is the slow one: of y' all is made. */
 bool slow_knot_is_noisy(const struct slow_knot *k)
 {

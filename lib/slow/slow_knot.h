@@ -40,6 +40,11 @@ struct slow_knot {
 void slow_knot_at(const struct slider *s, const double u[], double slope,
                   struct slow_knot *k);
 
+/* How fast the slopes of time and slip change at k, per unit of y, as parts of
+ * themselves, and how fast such a part does since the knot f before it (or k,
+ * the first): one that vanishes does so at a point. */
+double slow_knot_change(const struct slow_knot *f, const struct slow_knot *k);
+
 /* Whether y settles first, not x. */
 bool slow_knot_is_fast_y(const struct slow_knot *k);
 
