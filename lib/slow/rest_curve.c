@@ -230,6 +230,22 @@ static void between(const struct rest_knot *f, const struct rest_knot *g,
     p->slip = falling(x0, x1, h, theta, &p->slip_slope);
 }
 
+/* By values and slopes of three knots: beside the curve a landing is as good as
+ * y is. */
+static void find_bends(struct rest_curve *c)
+{
+    const size_t last = c->count - 1;
+
+    for (size_t i = 0; i < c->count; i++) {
+        const struct rest_point *k = &c->knot[i].at;
+        const struct rest_point *f = &c->knot[i > 0 ? i - 1 : 2].at;
+        const struct rest_point *g = &c->knot[i < last ? i + 1 : last - 2].at;
+        c->knot[i].y_bend = slow_knot_bend(
+            (double[3]){ f->y, f->y_slope }, (double[3]){ k->y, k->y_slope },
+            (double[3]){ g->y, g->y_slope }, f->x - k->x, g->x - k->x);
+    }
+}
+
 /* As of slow_branch.c: by what a polynomial over two steps misses between. */
 static void judge(struct rest_curve *c)
 {
@@ -272,6 +288,7 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
     if (c->count > 2) {
         look_back(c);
         judge(c);
+        find_bends(c);
     }
     return status == STATUS_NO_MEMORY || status == STATUS_STOPPED ? status
                                                                   : STATUS_OK;
@@ -300,14 +317,14 @@ static const struct rest_knot *before(const struct rest_curve *c, double x)
     return &c->knot[lo];
 }
 
-static double y_inside(const struct rest_point *f, const struct rest_point *g,
-                       double t, double *slope)
+/* Between a knot and the next. */
+static double y_inside(const struct rest_knot *k, double t, double *slope)
 {
-    const double h = g->x - f->x, rise = g->y - f->y;
-    const double f1 = h * f->y_slope - rise, g1 = h * g->y_slope - rise;
+    const struct rest_point *f = &k[0].at, *g = &k[1].at;
 
-    *slope = f->y_slope + t * (g->y_slope - f->y_slope);
-    return f->y + t * rise + t * (1.0 - t) * ((1.0 - t) * f1 - t * g1);
+    return slow_quintic((double[3]){ f->y, f->y_slope, k[0].y_bend },
+                        (double[3]){ g->y, g->y_slope, k[1].y_bend },
+                        g->x - f->x, t, slope);
 }
 
 bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
@@ -323,7 +340,7 @@ bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
     }
     const struct rest_knot *f = before(c, x);
     const double t = (x - f->at.x) / (f[1].at.x - f->at.x);
-    *y = y_inside(&f->at, &f[1].at, t, y_slope);
+    *y = y_inside(f, t, y_slope);
     return true;
 }
 
@@ -339,7 +356,7 @@ bool rest_curve_at(const struct rest_curve *c, double x, struct rest_point *p)
     const double t = (x - f->at.x) / (g->at.x - f->at.x);
     *p = f->at;
     p->x = x;
-    p->y = y_inside(&f->at, &g->at, t, &p->y_slope);
+    p->y = y_inside(f, t, &p->y_slope);
     p->fast += t * (g->at.fast - f->at.fast);
     p->fibre.x += t * (g->at.fibre.x - f->at.fibre.x);
     p->fibre.y += t * (g->at.fibre.y - f->at.fibre.y);

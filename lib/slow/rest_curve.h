@@ -33,6 +33,7 @@ struct rest_point {
 
 struct rest_knot {
     struct rest_point at;
+    double y_bend;               /* d2y/dx2 */
     double time_bend, slip_bend; /* second derivatives by x */
     double time_bar, slip_bar;   /* of at.time and at.slip; at.*_error: of the
                                     polynomials between it and the next */

@@ -427,6 +427,41 @@ static void friction_below_the_curves_is_the_curves_largest(void **state)
     }
 }
 
+/* In 113 bits: it lands 4e-7 beside the curve, between knots 0.1 apart. */
+static void a_rest_is_where_it_is_between_knots(void **state)
+{
+    static const struct found rest = { FRICTION_LOG,
+                                       THETA_LN_C_PSI,
+                                       PSI_SS_INVERSE,
+                                       TIMESCALE_AGEING44,
+                                       KINETICS_SINH,
+                                       0.49085619719582962,
+                                       0.002879235758113967,
+                                       0.0092391829957984527,
+                                       0.016085475777589106,
+                                       44462158.596703082,
+                                       2.3264835373174646e-07,
+                                       1.2277689107956845e-08,
+                                       0.0,
+                                       1e-9 };
+    const struct vec2 z = { -4.1743157775067168, 2.5245494576454632 };
+    static struct slope s;
+    struct fast_cells fast;
+    struct cell c;
+
+    (void) state;
+    make_at(&rest, 0.473518223520759871974L, &s);
+    assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
+    assert_int_equal(fast_cells_find(&fast, &z, 1, 1e-9,
+                                     1u << CELL_SLIP | 1u << CELL_TIME, NULL,
+                                     &c, NULL),
+                     0);
+    is_near(&c, CELL_SLIP, 2.2533773790394205e-13);
+    CHECK(c.slip_error < 1e-9 * c.slip, "%g", c.slip_error);
+    fast_cells_free(&fast);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -439,6 +474,7 @@ int main(void)
         cmocka_unit_test(landings_wait_until_a_sinh_is_as_good_as_linear),
         cmocka_unit_test(psi_may_wait_for_the_curve_to_come),
         cmocka_unit_test(v_may_settle_while_psi_still_leaps),
+        cmocka_unit_test(a_rest_is_where_it_is_between_knots),
         cmocka_unit_test(the_face_of_a_box_is_as_wrong_as_its_node),
         cmocka_unit_test(v_may_rise_where_its_rest_is_known),
         cmocka_unit_test(what_an_orbit_closes_in_on_is_ahead_or_behind),
