@@ -17,7 +17,8 @@ static double part_of(struct vec2 z, int axis)
 
 /* ---- boxes --------------------------------------------------------------- */
 
-/* Of the chart; infinite states are where no number is. */
+/* Of the chart; infinite states are where no number is, and a positive one that
+ * no double is small enough for is below the least. */
 static enum interval_domain domain_of(struct interval_plan *p,
                                       const struct plane_study *s,
                                       const struct interval_double chart[2])
@@ -25,9 +26,12 @@ static enum interval_domain domain_of(struct interval_plan *p,
     struct interval_double box[2];
     struct interval_slope_double out[INTERVAL_RESULTS];
 
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
         box[i] = (struct interval_double){ plane_state(s, i, chart[i].lo),
                                            plane_state(s, i, chart[i].hi) };
+        if (s->system[0].axis[i].is_log)
+            box[i].hi = fmax(box[i].hi, DBL_TRUE_MIN);
+    }
     return interval_over_double(p, box, out);
 }
 
@@ -45,8 +49,9 @@ enum status plane_defined_plan(struct plane_study *s, struct fault *why)
     const struct box w = s->window.box;
     const struct interval_double in_window[] = { { w.lo.x, w.hi.x },
                                                  { w.lo.y, w.hi.y } };
+    struct formula *graph = &s->lowered->way[0][0].f;
     formula_real *value = calloc(FORMULA_NODES, sizeof *value);
-    int state[2];
+    int state[2], rate[4], rest;
 
     s->plan = malloc(sizeof *s->plan);
     if (value == NULL || s->plan == NULL) {
@@ -55,10 +60,16 @@ enum status plane_defined_plan(struct plane_study *s, struct fault *why)
     }
     for (int i = 0; i < f->parameters; i++)
         value[f->parameter[i].node] = f->parameter[i].value;
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         state[k] = f->state[k].node;
+        rate[2 + k] = f->rate[k];
+        rate[k] = f->state[k].chart == CHART_POSITIVE &&
+                          formula_take_out(graph, f->rate[k], state[k], &rest)
+                      ? rest
+                      : f->rate[k];
+    }
     const enum status status =
-        interval_plan(s->plan, &f->graph, state, f->rate, 2, value, why);
+        interval_plan(s->plan, graph, state, rate, 4, value, why);
     free(value);
     if (status != STATUS_OK)
         return STATUS_BAD_SCENE;
@@ -161,35 +172,107 @@ static bool closes(struct interval_plan *p, const struct plane_study *s,
     return isinf(to) || sign_over(p, s, face, axis) == way;
 }
 
+/* An orbit that is at z, outside of the window on one side of it. */
+struct leaving {
+    struct interval_plan *plan;
+    const struct plane_study *s;
+    struct vec2 z;
+    int axis, way, time; /* way, time: 1 or -1 */
+};
+
+/* From there outward, beside `other`. */
+static void box_beyond(const struct leaving *l, struct interval_double other,
+                       struct interval_double box[2])
+{
+    const double at = part_of(l->z, l->axis);
+
+    box[l->axis] = l->way > 0 ? (struct interval_double){ at, HUGE_VAL }
+                              : (struct interval_double){ -HUGE_VAL, at };
+    box[1 - l->axis] = other;
+}
+
+/* Whether all that is there only goes further out, and stays beside it. */
+static bool only_goes_out(const struct leaving *l, struct interval_double other)
+{
+    struct interval_double box[2];
+    const int i = l->axis;
+
+    box_beyond(l, other, box);
+    return sign_over(l->plan, l->s, box, i) == l->way * l->time &&
+           closes(l->plan, l->s, box, 1 - i, other.lo, l->time) &&
+           closes(l->plan, l->s, box, 1 - i, other.hi, -l->time);
+}
+
+/* Whether a positive state is 0 before the other coordinate w is out of a strip
+ * of such room: where x falls no slower than it does at first all down to where
+ * doubles end, to 0 w moves by no more than the sum of |w'/x'| (x_0 - x_1) over
+ * boxes of x from x_0 down to x_1.  They begin no lower than so far above that
+ * end. */
+static bool is_first_at_0(const struct leaving *l, struct interval_double other,
+                          double room)
+{
+    const double step = 2.5, above = 40.0, end = log(DBL_MIN);
+    const int i = l->axis;
+    const struct interval_slope_double *rate = l->plan->of_double;
+    struct interval_double box[2];
+    double first = 0.0, way = 0.0;
+
+    if (l->way > 0 || !l->s->system[0].axis[i].is_log)
+        return false;
+    box_beyond(l, other, box);
+    for (double x = fmax(box[i].hi, end + above); x > end && way < room;
+         x -= step) {
+        box[i] = (struct interval_double){ x - step, x };
+        if (!is_whole(l->plan, l->s, box))
+            return false;
+        const struct interval_double fall = rate[l->plan->result[2 + i]].value,
+                                     by = rate[l->plan->result[1 - i]].value;
+        const double least = l->time > 0 ? -fall.hi : fall.lo;
+        first = first > 0.0 ? first : least;
+        if (!(least > 0.0 && least >= first))
+            return false;
+        way += fmax(fabs(by.lo), fabs(by.hi)) / least * plane_state(l->s, i, x);
+    }
+    return way < room;
+}
+
+/* Anywhere, above or below where it is, or in strips about it: of positive
+ * states narrower ones, too, others being followed further. */
+static bool leaves(const struct leaving *l)
+{
+    const bool log = l->s->system[0].axis[l->axis].is_log;
+    const struct vec2 side = l->s->scale.side;
+    const double other = part_of(l->z, 1 - l->axis);
+    const struct interval_double any = { -HUGE_VAL, HUGE_VAL },
+                                 above = { other, HUGE_VAL },
+                                 below = { -HUGE_VAL, other };
+    bool out = only_goes_out(l, any) || only_goes_out(l, above) ||
+               only_goes_out(l, below);
+
+    for (double part = 1.0; !out && part > (log ? TOL_SAME : TOL_SEEN);
+         part *= log ? 0.1 : TOL_SEEN) {
+        const double room = part * part_of(side, 1 - l->axis);
+        const struct interval_double strip = { other - room, other + room };
+        out = only_goes_out(l, strip) || is_first_at_0(l, strip, room);
+    }
+    return out;
+}
+
 bool plane_defined_escapes(struct interval_plan *plan,
                            const struct plane_study *s, struct vec2 z,
                            bool backward)
 {
-    const double side[] = { s->scale.side.x, s->scale.side.y };
-    const int time = backward ? -1 : 1;
+    bool out = false;
 
-    for (int i = 0; i < 2; i++) {
-        const double at = part_of(z, i), other = part_of(z, 1 - i);
+    for (int i = 0; i < 2 && !out; i++) {
+        const double at = part_of(z, i);
         const int way = at > part_of(s->window.box.hi, i)   ? 1
                         : at < part_of(s->window.box.lo, i) ? -1
                                                             : 0;
-        const struct interval_double beside[] = { { -HUGE_VAL, HUGE_VAL },
-                                                  { other, HUGE_VAL },
-                                                  { -HUGE_VAL, other },
-                                                  { other - side[1 - i],
-                                                    other + side[1 - i] } };
-        for (int k = 0; k < 4 && way != 0; k++) {
-            struct interval_double box[2];
-            box[i] = way > 0 ? (struct interval_double){ at, HUGE_VAL }
-                             : (struct interval_double){ -HUGE_VAL, at };
-            box[1 - i] = beside[k];
-            if (sign_over(plan, s, box, i) == way * time &&
-                closes(plan, s, box, 1 - i, beside[k].lo, time) &&
-                closes(plan, s, box, 1 - i, beside[k].hi, -time))
-                return true;
-        }
+        const struct leaving l = { plan, s, z, i, way, backward ? -1 : 1 };
+        out = way != 0 && leaves(&l);
     }
-    return false;
+    return out;
 }
 
 /* ---- pieces -------------------------------------------------------------- */

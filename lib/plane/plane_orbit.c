@@ -104,6 +104,14 @@ static enum status be_implicit(struct walk *w)
     return orbit_init(&w->implicit, w->system, w->series.z, &options);
 }
 
+/* From where it left the domain, which is larger now. */
+static enum status go_further(struct walk *w)
+{
+    w->series.z = (struct vec2){ w->implicit.u[0], w->implicit.u[1] };
+    orbit_free(&w->implicit);
+    return be_implicit(w);
+}
+
 /* Whether rounding has held back so many steps outside the window that more of
  * them would bring it nowhere, as beside a pole. */
 static bool is_blurred(const struct walk *w)
@@ -125,10 +133,16 @@ static size_t returned(const struct walk *w)
 /* One piece more; w->stopped where there is none. */
 static enum status step(struct walk *w)
 {
-    const size_t before = curve_of(w)->count;
     const struct vec2 from = place_of(w);
-    enum status status;
+    enum status status = STATUS_OK;
 
+    if (w->implicit.end == ORBIT_LEFT_DOMAIN)
+        status = go_further(w);
+    const size_t before = curve_of(w)->count;
+    if (status != STATUS_OK) {
+        w->stopped = true;
+        return status == STATUS_NO_MEMORY ? status : STATUS_OK;
+    }
     if (w->stiff) {
         status = orbit_step(&w->implicit);
     } else {
@@ -366,12 +380,11 @@ static bool has_left(struct walk *w)
 {
     const struct planar_axis *axis = w->system->axis;
     const struct box d = w->system->domain;
+    const bool ended = w->implicit.end == ORBIT_LEFT_DOMAIN;
 
-    if (w->implicit.end == ORBIT_LEFT_DOMAIN)
-        return true;
-    if (box_holds(d, place_of(w)))
+    if (!ended && box_holds(d, place_of(w)))
         return false;
-    if (w->escape.left || axis[0].is_log || axis[1].is_log ||
+    if (w->escape.left || (ended && !axis[0].is_log && !axis[1].is_log) ||
         plane_defined_escapes(w->plan, w->s, place_of(w), w->backward))
         return true;
     w->far *= TOL_PLANE_FAR;

@@ -211,6 +211,49 @@ static void a_line_that_rests_goes_on_beyond_the_window(void **state)
     plane_end(&s, &c);
 }
 
+/* x falls by e^-700 and more while y is above 1, and comes back; what falls
+ * for good is told so. */
+static void a_positive_state_comes_back_from_below_the_doubles(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c,
+                  i ? "x' = 1000*x*(1 - x - y); y' = 2 - y"
+                    : "x' = 1000*x*(1 - x - y); y' = -y",
+                  "system.state={x: positive, y: real}\n" WINDOW(
+                      "[0.1, 2]", "[-1, 4]") "basins.audit=20\n");
+        has_share(&s, i ? "x_to_0" : "stable_node_0", 1.0, 1e-12);
+        plane_end(&s, &c);
+    }
+}
+
+/* v' = 0.1 - u, u' = -u: v has its least value, v_0 - u_0 + 0.1 + 0.1 ln(10
+ * u_0), where u is 0.1; it is 0 before, or grows without end. */
+static void a_positive_state_that_is_0_in_time_is_told_so(void **state)
+{
+    static const struct vec2 at[] = { { 1.0, 0.66 }, { 1.0, 0.68 } };
+    struct plane_study s;
+    struct scene c;
+    struct plane_goal goal;
+
+    (void) state;
+    plane_run(&s, &c, "u' = -u; v' = 0.1 - u",
+              "system.state={u: positive, v: positive}\n"
+              "window={u: [0.2, 3], v: [0.1, 3]}\nproducts=[equilibria]\n");
+    for (int i = 0; i < 2; i++) {
+        const struct vec2 z = { log(at[i].x), log(at[i].y) };
+        assert_int_equal(plane_orbit(&s, z, false, NULL, &goal), STATUS_OK);
+        CHECK(goal.kind == PLANE_GOAL_BEYOND &&
+                  (goal.beyond.way[1] == PLANE_WAY_DOWN) == (i == 0),
+              "v = %g: goal %d, way %d", at[i].y, (int) goal.kind,
+              (int) goal.beyond.way[1]);
+    }
+    plane_end(&s, &c);
+}
+
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -259,6 +302,8 @@ int main(void)
         TEST(what_is_all_but_switched_off_comes_to_rest),
         TEST(what_is_slow_outside_does_not_rest_there),
         TEST(a_line_that_rests_goes_on_beyond_the_window),
+        TEST(a_positive_state_comes_back_from_below_the_doubles),
+        TEST(a_positive_state_that_is_0_in_time_is_told_so),
         TEST(rotations_that_attract_go_to_infinity),
     };
 
