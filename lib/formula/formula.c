@@ -248,6 +248,30 @@ int formula_sum(struct formula *f, int u, int w)
     return pair(f, FORMULA_SUM, u, w);
 }
 
+void formula_sort(struct formula *f, int u, formula_real sign, int part[2])
+{
+    int rest;
+    const formula_real c = sign * formula_factor(f, u, &rest);
+    const struct formula_node n = f->node[rest];
+
+    if (n.kind == FORMULA_SUM && c * c >= 1 && c * c <= 1) {
+        formula_sort(f, n.of[0], c, part);
+        formula_sort(f, n.of[1], c, part);
+    } else {
+        const int term = scaled(f, c < 0 ? -c : c, rest);
+        part[c < 0] = formula_sum(f, part[c < 0], term);
+    }
+}
+
+bool formula_has_log(const struct formula *f, int u)
+{
+    const struct formula_node *n = &f->node[u];
+
+    return n->natural ||
+           (n->kind == FORMULA_SUM && n->positive && n->moves &&
+            (formula_has_log(f, n->of[0]) || formula_has_log(f, n->of[1])));
+}
+
 int formula_less(struct formula *f, int u, int w)
 {
     return formula_sum(f, u, scaled(f, -1, w));

@@ -99,6 +99,12 @@ void formula_know(struct formula *f, int leaf, formula_real value);
 bool formula_whole(struct formula *f, int u, int *p);
 /* The number c >= 0 or < 0 and the rest of u = c rest. */
 formula_real formula_factor(const struct formula *f, int u, int *rest);
+/* Adds what sign u has of terms with a plus to part[0], with a minus to
+ * part[1]. */
+void formula_sort(struct formula *f, int u, formula_real sign, int part[2]);
+/* Whether its logarithm keeps all digits wherever it is: of a product, and of
+ * the sum of one and what is positive. */
+bool formula_has_log(const struct formula *f, int u);
 
 /* u = x out, where every term of u shows the factor x; false where one does
  * not. */

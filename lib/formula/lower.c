@@ -71,6 +71,7 @@ static struct linear make_log(struct lowering *L, int i)
 {
     const struct formula_node n = L->s.f->node[i];
     struct linear u, w;
+    int q;
 
     switch (n.kind) {
         case FORMULA_LEAF:
@@ -88,13 +89,10 @@ static struct linear make_log(struct lowering *L, int i)
             linear_add_times(&L->s, &u, n.kind == FORMULA_TIMES ? 1 : -1, &w);
             return u;
         case FORMULA_SUM:
-            if (!n.positive || !n.moves)
+            if (!formula_has_log(L->s.f, i))
                 return log_by_plain(L, i);
-            if (L->s.f->node[n.of[0]].natural)
-                return log_of_sum(L, i, n.of[0], n.of[1]);
-            if (L->s.f->node[n.of[1]].natural)
-                return log_of_sum(L, i, n.of[1], n.of[0]);
-            return log_by_plain(L, i);
+            q = formula_has_log(L->s.f, n.of[0]);
+            return log_of_sum(L, i, n.of[!q], n.of[q]);
         case FORMULA_CALL:
             return log_of_call(L, i, &n);
         default:
@@ -127,45 +125,44 @@ static struct linear growth(struct lowering *L, int i)
     return grown(L, &u, value_of(L, i));
 }
 
-static struct linear apart(struct lowering *L, int k, const struct linear *u,
-                           const struct linear *w)
+/* zero: both parts are the same at the anchor, whatever rounding makes of
+ * their logarithms there. */
+static struct linear apart(struct lowering *L, const int part[2], bool zero)
 {
-    const int q = formula_less(L->s.f, w->constant, u->constant);
+    const struct linear u = lower_log(L, part[0]), w = lower_log(L, part[1]);
+    const int q = zero ? 0 : formula_less(L->s.f, w.constant, u.constant);
 
     return linear_one(&L->s,
-                      linear_step(&L->s, STEP_APART, linear_reg(&L->s, u),
-                                  linear_reg(&L->s, w), k, q),
+                      linear_step(&L->s, STEP_APART, linear_reg(&L->s, &u),
+                                  linear_reg(&L->s, &w), value_of(L, part[0]),
+                                  q),
                       0);
 }
 
-bool lower_apart(struct lowering *L, const struct formula_node *n, int *less)
+bool lower_apart(struct lowering *L, int i, int part[2])
 {
-    const formula_real c = formula_factor(L->s.f, n->of[1], less);
-
-    if (n->kind != FORMULA_SUM || c >= 0 || !L->s.f->node[n->of[0]].natural ||
-        !L->s.f->node[*less].natural)
+    part[0] = part[1] = 0;
+    if (L->s.f->node[i].kind != FORMULA_SUM || L->s.f->node[i].positive)
         return false;
-    *less = formula_times(L->s.f, formula_number(L->s.f, -c), *less);
-    return true;
+    formula_sort(L->s.f, i, 1, part);
+    return formula_has_log(L->s.f, part[0]) && formula_has_log(L->s.f, part[1]);
 }
 
-struct linear lower_both(struct lowering *L, const struct formula_node *n)
+struct linear lower_both(struct lowering *L, int i)
 {
-    struct linear u = lower_plain(L, n->of[0]);
-    const struct linear w = lower_plain(L, n->of[1]);
+    const struct formula_node n = L->s.f->node[i];
+    struct linear u = lower_plain(L, n.of[0]);
+    const struct linear w = lower_plain(L, n.of[1]);
 
     linear_add_times(&L->s, &u, 1, &w);
     return u;
 }
 
-static struct linear plain_sum(struct lowering *L, const struct formula_node *n)
+static struct linear plain_sum(struct lowering *L, int i)
 {
-    int less;
+    int part[2];
 
-    if (!lower_apart(L, n, &less))
-        return lower_both(L, n);
-    const struct linear u = lower_log(L, n->of[0]), w = lower_log(L, less);
-    return apart(L, value_of(L, n->of[0]), &u, &w);
+    return lower_apart(L, i, part) ? apart(L, part, false) : lower_both(L, i);
 }
 
 /* a asinh(e^w/2), e^w/2 positive by its form */
@@ -207,7 +204,7 @@ static bool is_away(struct lowering *L, int i)
 {
     const struct formula_node n = L->s.f->node[i];
     bool away = false;
-    int less;
+    int part[2];
 
     if (!n.moves || n.kind == FORMULA_LEAF)
         return false;
@@ -218,7 +215,7 @@ static bool is_away(struct lowering *L, int i)
     for (int k = 0; !logs && k < (n.kind == FORMULA_CALL ? n.arguments : 2);
          k++)
         away = is_away(L, n.of[k]) || away;
-    away = away || (n.kind == FORMULA_SUM && lower_apart(L, &n, &less));
+    away = away || lower_apart(L, i, part);
     L->away[i] = away ? 2 : 1;
     return away;
 }
@@ -327,7 +324,7 @@ static struct linear make_plain(struct lowering *L, int i)
                     return linear_one(&L->s, k, L->p->at[k]);
             return linear_fail(&L->s, "a state is not of this plane");
         case FORMULA_SUM:
-            return plain_sum(L, &n);
+            return plain_sum(L, i);
         case FORMULA_TIMES:
         case FORMULA_OVER:
             u = factor(L, n.of[0]);
@@ -434,8 +431,11 @@ static struct linear whole(struct lowering *L, int i)
 struct linear lower_zero(struct lowering *L, int i)
 {
     const struct linear plain = lower_plain(L, i);
+    int part[2];
 
-    return linear_rests(&L->s, &plain) ? plain : whole(L, i);
+    if (linear_rests(&L->s, &plain))
+        return plain;
+    return lower_apart(L, i, part) ? apart(L, part, true) : whole(L, i);
 }
 
 static int value_of_call(struct lowering *L, int i,
@@ -488,13 +488,8 @@ static int value_of(struct lowering *L, int i)
 void lower_start(struct lowering *L, struct formula *f, struct tape *t,
                  const struct plane_formulas *p)
 {
+    memset(L, 0, sizeof *L);
     L->s = (struct forms){ .f = f, .t = t };
     L->p = p;
-    L->forms = 0;
-    memset(L->plain, 0, sizeof L->plain);
-    memset(L->away, 0, sizeof L->away);
-    memset(L->whole, 0, sizeof L->whole);
-    memset(L->log, 0, sizeof L->log);
-    memset(L->value, 0, sizeof L->value);
     t->steps = 0;
 }

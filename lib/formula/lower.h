@@ -31,8 +31,8 @@ struct linear lower_log(struct lowering *L, int i);
 /* Of a node that is 0 at the anchor: so are all its registers. */
 struct linear lower_zero(struct lowering *L, int i);
 
-/* Whether n is the difference of two products, of which *less is the second:
- * one step then, STEP_APART, and not the sum of both. */
-bool lower_apart(struct lowering *L, const struct formula_node *n, int *less);
-/* The sum of both. */
-struct linear lower_both(struct lowering *L, const struct formula_node *n);
+/* Whether node i is a difference of sums of products, part[0] less part[1]: one
+ * step then, STEP_APART, and not the sum of its terms. */
+bool lower_apart(struct lowering *L, int i, int part[2]);
+/* The sum of its terms. */
+struct linear lower_both(struct lowering *L, int i);

@@ -73,12 +73,11 @@ static bool shares(const struct linear *u, const struct linear *w)
  * be as large as 1e300 and cancel. */
 static void join_sinh(struct lowering *L, int argument, struct tape_rate *r)
 {
-    const struct formula_node n = L->s.f->node[argument];
     struct linear u = lower_plain(L, argument), terms = u;
-    int less;
+    int part[2];
 
-    if (lower_apart(L, &n, &less))
-        terms = lower_both(L, &n);
+    if (lower_apart(L, argument, part))
+        terms = lower_both(L, argument);
     r->joined = shares(&r->exponent[0], &terms);
     if (r->joined)
         u = terms;

@@ -307,6 +307,51 @@ static void formulas_that_cancel_keep_their_digits(void **state)
     }
 }
 
+/* psi_ss = 1/v + 1/50 from an anchor at a v where it is 1e13 and 1e43: both
+ * terms of d are as large there, and d itself is a few where the block slides.
+ */
+static void far_from_the_saddle_the_state_is_the_formulas_own(void **state)
+{
+    static const char *const kinetics[] = { "d", "sinh(d)", "d + d^3",
+                                            "rate -v*(psi - 1/v - 1/50)" };
+    const struct material m = material_bristol_board();
+    uint64_t seed = check_seed() + 6;
+
+    (void) state;
+    for (int i = 0; i < 120; i++) {
+        enum law_part wrong;
+        struct fault why = { "" };
+        struct block b;
+        law_typed_of_preset(law_preset_find("dieterich"), &typed);
+        const int k = i % 4;
+        strcpy(typed.text[LAW_PSI_SS], "1/v + 1/50");
+        strcpy(typed.text[LAW_K], k < 3 ? kinetics[k] : "");
+        if (k == 3) {
+            typed.text[LAW_PSI_SS][0] = typed.text[LAW_T][0] = '\0';
+            strcpy(typed.text[LAW_RATE], kinetics[k] + 5);
+        }
+        assert_int_equal(law_typed_make(&typed, &wrong, &why), STATUS_OK);
+        const struct law law = law_of_typed(&typed);
+        const double anchor = check_uniform(&seed, -100, -30);
+        block_init(&b, &law, &m, steady_mu(&law, &m, anchor));
+        block_anchor(&b, anchor, true);
+        const double x = check_uniform(&seed, -1, 10);
+        const double y = check_uniform(&seed, -5, 2);
+        const struct planar s = block_planar(&b);
+        struct planar_field f;
+        s.field(s.ctx, block_offset(&b, exp(x), exp(y)), &f);
+        const double psi = exp(y), ss = exp(-x) + 1.0 / 50, d = psi - ss;
+        const double K[] = { d, sinh(d), d + d * d * d, d };
+        const double slope[] = { 1, cosh(d), 1 + 3 * d * d, 1 };
+        const double exact = -K[k] * exp(x - y);
+        const double found = f.direction.y * exp(f.log_scale);
+        const double size = fabs(exact) + slope[k] * (psi + ss) * exp(x - y);
+        CHECK(fabs(found - exact) <= 1e-12 * size,
+              "K = %s, x %g, y %g from %g: %.17g, not %.17g", kinetics[k], x, y,
+              anchor, found, exact);
+    }
+}
+
 /* (ln v)^3 of v < 1, whose exponent is exact. */
 static void whole_powers_of_what_is_negative_are_known(void **state)
 {
@@ -408,6 +453,7 @@ int main(void)
         cmocka_unit_test(the_field_is_that_of_the_components),
         cmocka_unit_test(series_are_those_of_the_components),
         cmocka_unit_test(formulas_that_cancel_keep_their_digits),
+        cmocka_unit_test(far_from_the_saddle_the_state_is_the_formulas_own),
         cmocka_unit_test(whole_powers_of_what_is_negative_are_known),
         cmocka_unit_test(exponents_that_are_whole_have_laws_of_their_own),
         cmocka_unit_test(a_law_that_lacks_a_part_or_has_a_wrong_one_says_so),
