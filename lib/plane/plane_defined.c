@@ -203,19 +203,35 @@ static bool only_goes_out(const struct leaving *l, struct interval_double other)
            closes(l->plan, l->s, box, 1 - i, other.hi, -l->time);
 }
 
-/* Whether a positive state is 0 before the other coordinate w is out of a strip
- * of such room: where x falls no slower than it does at first all down to where
- * doubles end, to 0 w moves by no more than the sum of |w'/x'| (x_0 - x_1) over
- * boxes of x from x_0 down to x_1.  They begin no lower than so far above that
- * end. */
-static bool is_first_at_0(const struct leaving *l, struct interval_double other,
-                          double room)
+/* The rate of the chart all over a box of it where formulas have values. */
+static struct interval_double rate_over(const struct leaving *l,
+                                        const struct interval_double chart[2],
+                                        int axis)
+{
+    const struct interval_plan *p = l->plan;
+    const int node = p->result[axis];
+    const struct interval_double rate = p->of_double[node].value;
+    const double lo = plane_state(l->s, axis, chart[axis].lo),
+                 hi = plane_state(l->s, axis, chart[axis].hi);
+
+    if (!l->s->system[0].axis[axis].is_log || node != p->result[2 + axis])
+        return rate;
+    return (struct interval_double){ rate.lo / (rate.lo < 0.0 ? lo : hi),
+                                     rate.hi / (rate.hi < 0.0 ? hi : lo) };
+}
+
+/* Whether a positive state x only falls, and the other coordinate w is in a
+ * strip of such room meanwhile: over boxes of ln x, to where doubles end, w
+ * moves by no more than the sum of |w'/(ln x)'| times their sides, and then by
+ * less than that, however far orbits are followed, as it does in the last box.
+ * They begin no lower than so far above that end. */
+static bool falls_beside(const struct leaving *l, struct interval_double other,
+                         double room)
 {
     const double step = 2.5, above = 40.0, end = log(DBL_MIN);
     const int i = l->axis;
-    const struct interval_slope_double *rate = l->plan->of_double;
     struct interval_double box[2];
-    double first = 0.0, way = 0.0;
+    double way = 0.0, last = 0.0;
 
     if (l->way > 0 || !l->s->system[0].axis[i].is_log)
         return false;
@@ -225,15 +241,16 @@ static bool is_first_at_0(const struct leaving *l, struct interval_double other,
         box[i] = (struct interval_double){ x - step, x };
         if (!is_whole(l->plan, l->s, box))
             return false;
-        const struct interval_double fall = rate[l->plan->result[2 + i]].value,
-                                     by = rate[l->plan->result[1 - i]].value;
-        const double least = l->time > 0 ? -fall.hi : fall.lo;
-        first = first > 0.0 ? first : least;
-        if (!(least > 0.0 && least >= first))
+        const struct interval_double x_rate = rate_over(l, box, i),
+                                     w_rate = rate_over(l, box, 1 - i);
+        const double fall = l->time > 0 ? -x_rate.hi : x_rate.lo;
+        if (!(fall > 0.0))
             return false;
-        way += fmax(fabs(by.lo), fabs(by.hi)) / least * plane_state(l->s, i, x);
+        last = fmax(fabs(w_rate.lo), fabs(w_rate.hi)) / fall;
+        way += last * step;
     }
-    return way < room;
+    return way + last * TOL_PLANE_INFINITY * part_of(l->s->scale.side, i) <
+           room;
 }
 
 /* Anywhere, above or below where it is, or in strips about it: of positive
@@ -253,7 +270,7 @@ static bool leaves(const struct leaving *l)
          part *= log ? 0.1 : TOL_SEEN) {
         const double room = part * part_of(side, 1 - l->axis);
         const struct interval_double strip = { other - room, other + room };
-        out = only_goes_out(l, strip) || is_first_at_0(l, strip, room);
+        out = only_goes_out(l, strip) || falls_beside(l, strip, room);
     }
     return out;
 }

@@ -30,8 +30,9 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
 
 /* Whether the orbit from an absolute point outside the window is proved to
  * leave all bounds: from there on, within bounds of the other coordinate that
- * it does not cross, or anywhere, one coordinate only goes further out, or a
- * positive state is 0 before the orbit is out of such bounds. */
+ * it does not cross, or anywhere, one coordinate only goes further out; or a
+ * positive state falls to where doubles end before the orbit is out of such
+ * bounds, which from there on would take too long for any orbit. */
 bool plane_defined_escapes(struct interval_plan *plan,
                            const struct plane_study *s, struct vec2 z,
                            bool backward);

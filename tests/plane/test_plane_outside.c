@@ -254,6 +254,27 @@ static void a_positive_state_that_is_0_in_time_is_told_so(void **state)
     plane_end(&s, &c);
 }
 
+/* An epidemic that ends, and the weaker of two who destroy each other: to a
+ * line of equilibria on an axis, along which all orbits go elsewhere. */
+static void what_dies_out_beside_a_line_that_rests_is_told_so(void **state)
+{
+    static const char *const word[] = { "i_to_0", "s_to_0" };
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int k = 0; k < 2; k++) {
+        plane_run(&s, &c,
+                  k ? "s' = -s*i; i' = -0.5*s*i"
+                    : "s' = -2*s*i; i' = 2*s*i - i",
+                  "system.state={s: positive, i: positive}\n"
+                  "window={s: [0.1, 1], i: [1, 3]}\nproducts=[basins]\n"
+                  "basins.audit=20\n");
+        has_share(&s, word[k], 1.0, 1e-12);
+        plane_end(&s, &c);
+    }
+}
+
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -304,6 +325,7 @@ int main(void)
         TEST(a_line_that_rests_goes_on_beyond_the_window),
         TEST(a_positive_state_comes_back_from_below_the_doubles),
         TEST(a_positive_state_that_is_0_in_time_is_told_so),
+        TEST(what_dies_out_beside_a_line_that_rests_is_told_so),
         TEST(rotations_that_attract_go_to_infinity),
     };
 
