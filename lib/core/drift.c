@@ -37,7 +37,7 @@ static const double weight[STAGES][STAGES] = {
 
 void drift_start(struct drift *d, double rounding, double rate)
 {
-    *d = (struct drift){ .rate = rate };
+    *d = (struct drift){ .rounded = rounding, .rate = rate };
     d->noise[0][0] = d->noise[1][1] = rounding * rounding;
 }
 

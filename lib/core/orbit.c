@@ -176,19 +176,22 @@ static void add_errors(struct orbit *o, const double error[])
         memcpy(o->log.hit[k].error, o->error, sizeof o->error);
 }
 
-/* How far beside the true orbit the last piece is: what is carried, no more
- * than what steps estimate and are rounded by one by one, and what it misses
+/* How far beside the true orbit the last piece is: what is carried to its start
+ * or to its end, for stiff orbits close in on the way, no more than what steps
+ * estimate, to first order, and are rounded by one by one; and what it misses
  * between its ends. */
 static void carry(struct orbit *o, struct drift *d, double h,
                   const double error[])
 {
     struct curve_piece *p = &o->curve.piece[o->curve.count - 1];
+    const double start = drift_across(d);
 
     drift_carry(d, &o->clock, &o->curve, h, error);
     o->jacobian_calls += DRIFT_CALLS;
-    p->across =
-        fmin(drift_across(d), fmax(o->error[0], o->error[1]) + d->rounded) +
-        fmax(fabs(error[0]), fabs(error[1]));
+    p->across = fmin(fmax(start, drift_across(d)),
+                     TOL_BAR_FIRST_ORDER * hypot(o->error[0], o->error[1]) +
+                         d->rounded) +
+                TOL_BAR_FIRST_ORDER * hypot(error[0], error[1]);
 }
 
 /* Moves to where the last piece ends. */

@@ -146,12 +146,41 @@ static void what_is_beside_an_orbit_counts_rounding_to_one_side(void **state)
     orbit_free(&o);
 }
 
+/* Loose steps onto a slow curve are off by less where they end than where they
+ * begin: x = e^-t, y = e^(-stiff t), whose orbit is y = x^stiff. */
+static void no_point_of_a_piece_is_further_aside_than_it_says(void **state)
+{
+    uint64_t rng = check_seed();
+
+    (void) state;
+    for (int i = 0; i < 200; i++) {
+        const double stiff = pow(10.0, check_uniform(&rng, 1, 4));
+        const struct fixture x = { linear, { -1.0, -stiff } };
+        const struct planar sys = planar_of(&x, 1e3);
+        struct orbit o;
+        struct drift d;
+        run(&o, &d, &sys, (struct vec2){ 1.0, 1.0 },
+            pow(10.0, check_uniform(&rng, -8, -4)), 3.0);
+        for (size_t k = 0; k < 8 * o.curve.count; k++) {
+            const struct vec2 z =
+                curve_point(&o.curve, k / 8, (double) (k % 8) / 8.0);
+            const double y = pow(z.x, stiff), slope = stiff * y / z.x;
+            const double off = fabs(z.y - y) / hypot(1.0, slope);
+            const double bar = o.curve.piece[k / 8].across;
+            CHECK(off <= bar + 1e-14, "%g, piece %zu of %zu: %g, not %g", stiff,
+                  k / 8, o.curve.count, off, bar);
+        }
+        orbit_free(&o);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_linear_orbits_are_known_with_their_signs),
         cmocka_unit_test(errors_across_an_orbit_are_what_its_energy_says),
         cmocka_unit_test(what_is_beside_an_orbit_counts_rounding_to_one_side),
+        cmocka_unit_test(no_point_of_a_piece_is_further_aside_than_it_says),
         cmocka_unit_test(steps_short_of_a_last_digit_are_seen_to_be_lost),
         cmocka_unit_test(what_is_not_known_of_the_start_grows_with_the_orbit),
     };
