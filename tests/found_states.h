@@ -385,4 +385,13 @@ static const struct {
       { 17.585602438933165, 447.30742348152842 },
       EXACT_BOTH,
       "113 bits took v that falls to its balance for one that vanishes" },
+    { { FRICTION_LOG, THETA_LN_C_1PR_PSI, PSI_SS_SPINODAL_UNIT,
+        TIMESCALE_SPINODAL, KINETICS_SINH, 0.369, 0.027902433520507912, 0.0489,
+        0.0068218801687486338, 286.78746793138419, 8.4438304591463648e-06, 1e-6,
+        0.33928515874855997, 1e-4 },
+      0.352932792048766872327L,
+      { 0.80486315845092793, -6.4651654306122008 },
+      EXACT_BOTH,
+      "v on a piece of an orbit that is further off where it begins than where "
+      "it ends" },
 };

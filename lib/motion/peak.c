@@ -78,41 +78,52 @@ static double crest_beside(const struct along *a, double at)
 
 /* What the largest value may be on all pieces but first .. last, for how far
  * off each is; `part` of that is what it makes of a value.  *top becomes the
- * largest value there if it is less. */
+ * one there if that is surely more. */
 static double most_elsewhere(const struct along *a, double part, size_t first,
                              size_t last, double *top)
 {
     const double samples = TOL_EVENT_SAMPLES;
-    double most = -HUGE_VAL, best = *top, where = -1.0;
+    double most = -HUGE_VAL, where = 0.0, off = 0.0;
 
     for (size_t k = 0; k < a->curve->count; k++)
         for (int i = 0; i <= TOL_EVENT_SAMPLES && !(k >= first && k <= last);
              i++) {
-            const double at = (double) k + i / samples, here = value_at(a, at);
-            most = fmax(most, here + part * a->curve->piece[k].across);
-            where = here > best ? at : where;
-            best = fmax(best, here);
+            const double at = (double) k + i / samples;
+            const double aside = part * a->curve->piece[k].across;
+            const double here = value_at(a, at) + aside;
+            off = here > most ? aside : off;
+            where = here > most ? at : where;
+            most = fmax(most, here);
         }
-    if (where < 0.0)
+    if (!(most > *top))
         return most;
-    *top = crest_beside(a, where);
-    return most + (*top - best);
+    const double crest = crest_beside(a, where);
+    *top = crest - off > *top ? crest : *top;
+    return crest + off;
 }
 
-/* How far off a curve is at most on some of its pieces. */
-static double worst_of(const struct curve *c, size_t first, size_t last)
+/* How far off a curve is at most on its pieces at and beside `at`. */
+static double worst_at(const struct curve *c, double at)
 {
+    const size_t last = (size_t) at + 1;
     double worst = 0.0;
 
-    for (size_t i = first; i <= last && i < c->count; i++)
+    for (size_t i = last > 1 ? last - 2 : 0; i <= last && i < c->count; i++)
         worst = fmax(worst, c->piece[i].across);
     return worst;
 }
 
+/* The start of a piece is the end of the one before. */
+static double start_error(const struct curve *c, size_t piece)
+{
+    return piece > 0 ? fmin(c->piece[piece - 1].across, c->piece[piece].across)
+                     : 0.0;
+}
+
 /* Follows the pieces first .. last of an orbit again, finer; the largest value
  * on them.  Where that cannot be done *top stays what it was. */
-static enum status sharpen(const struct along *a, size_t first, size_t last,
-                           double *top, double *error)
+static enum status sharpen(const struct along *a, double part, size_t first,
+                           size_t last, double *top, double *error)
 {
     const struct slider *s = a->slider;
     struct orbit_options options =
@@ -123,10 +134,12 @@ static enum status sharpen(const struct along *a, size_t first, size_t last,
 
     curve_at(a->curve, first, 0.0, from);
     curve_at(a->curve, last, 1.0, to);
-    *error = worst_of(a->curve, first > 0 ? first - 1 : 0, last);
+    *error = part * fmax(worst_at(a->curve, (double) first),
+                         worst_at(a->curve, (double) last));
     if (!(to[2] > from[2]))
         return STATUS_OK;
-    drift_start(&drift, 0.0, phase_plane_leaving_rate(&s->plane));
+    drift_start(&drift, start_error(a->curve, first),
+                phase_plane_leaving_rate(&s->plane));
     options.drift = &drift;
     options.rtol = TOL_FINEST;
     options.observables = 0;
@@ -138,9 +151,10 @@ static enum status sharpen(const struct along *a, size_t first, size_t last,
     status = orbit_run(&o, NULL);
     const struct along fine = { s, &o.curve, a->value };
     if (status == STATUS_OK && o.curve.count > 0) {
-        *top = crest_beside(&fine, top_sample(&fine));
-        *error = (first > 0 ? a->curve->piece[first - 1].across : 0.0) +
-                 worst_of(&o.curve, 0, o.curve.count);
+        const double at = top_sample(&fine);
+        *top = crest_beside(&fine, at);
+        const double most = most_elsewhere(&fine, part, 1, 0, top);
+        *error = fmax(part * worst_at(&o.curve, at), most - *top);
     }
     orbit_free(&o);
     return status == STATUS_NO_MEMORY ? status : STATUS_OK;
@@ -183,7 +197,6 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
     const struct along a = { s, &o->curve, value };
     const size_t count = o->curve.count;
     enum status status = STATUS_OK;
-    double place = 0.0;
 
     *top = value(s, z);
     *error = 0.0;
@@ -200,14 +213,14 @@ static enum status peak_of(const struct slider *s, const struct orbit *o,
     }
     if (o->end == ORBIT_ARRIVED && peak > start &&
         peak <= value_at(&a, (double) count))
-        place = end_error(o);
+        *error = part * end_error(o);
     else
-        status = sharpen(&a, first, last, top, &place);
+        status = sharpen(&a, part, first, last, top, error);
     if (!(*top > start)) /* it rises by less than is seen of it */
-        place = fmax(place, TOL_ROOT * first_slope(&o->curve));
+        *error = fmax(*error, part * TOL_ROOT * first_slope(&o->curve));
     *top = fmax(start, *top);
     const double most = most_elsewhere(&a, part, first, last, top);
-    *error = fmax(part * place, most - *top);
+    *error = fmax(*error, most - *top);
     return status;
 }
 
