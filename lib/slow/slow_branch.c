@@ -444,6 +444,7 @@ static enum status run(const struct slider *s, struct vec2 z,
     if (status == STATUS_OK && b->count > 2) {
         slow_fit_smooth(b);
         slow_fit_fibres(b);
+        slow_fit_places(s, b);
         b->end_aside = find_end_aside(&o, b);
         slow_fit_frictions(s, b);
         compare_bars(&o, b);

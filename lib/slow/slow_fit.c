@@ -154,6 +154,66 @@ void slow_fit_fibres(struct slow_branch *b)
     }
 }
 
+/* On a polynomial x = q(y) from one knot to the next, the field's x' - q' y'
+ * and how fast what is beside it falls, q' dy'/dx - dx'/dx: the most of the
+ * one, and the least of the other. */
+struct defect {
+    double most, fall;
+};
+
+static struct defect defect_of(const struct slider *s,
+                               const struct slow_knot *f,
+                               const struct slow_knot *g)
+{
+    enum { PARTS = 4 };
+    struct defect d = { 0.0, HUGE_VAL };
+
+    for (int i = 0; i <= PARTS; i++) {
+        const double t = (double) i / PARTS;
+        struct planar_jacobian J;
+        double q;
+        const double x = slow_knot_x(f, g, t, &q), y = f->y + t * (g->y - f->y);
+        s->plane.system.jacobian(s->plane.system.ctx, (struct vec2){ x, y },
+                                 &J);
+        const struct vec2 z = J.field.direction;
+        const double scale = exp(J.field.log_scale);
+        d.most = fmax(d.most, scale * fabs(z.x - q * z.y));
+        d.fall = fmin(d.fall, scale * (q * J.matrix.yx - J.matrix.xx));
+    }
+    return d;
+}
+
+/* What an orbit that is e beside the polynomial is beside it a time t later,
+ * for e' = rho - r e, |rho| <= most, r >= fall, to first order:
+ *     |e| exp(-r t) + |rho| (1 - exp(-r t))/r. */
+static double beside_after(const struct defect *d, double t, double e)
+{
+    const double folds = d->fall * t;
+    const double gain = folds != 0.0 ? -expm1(-folds) / d->fall : t;
+
+    return e * exp(-folds) + TOL_BAR_FIRST_ORDER * d->most * gain;
+}
+
+void slow_fit_places(const struct slider *s, struct slow_branch *b)
+{
+    struct slow_knot *const k = b->knot;
+    double off = b->near ? TOL_ROUNDED * fabs(k->x) : 0.0;
+
+    k->aside = off;
+    for (size_t i = 1; i < b->count; i++) {
+        const struct slow_knot *f = &k[i - 1];
+        const double least =
+            TOL_REST_WRONG * (1.0 + fabs(s->block.at.x0 + k[i].x));
+        const double before = off;
+        const struct defect d = defect_of(s, f, &k[i]);
+        off = beside_after(&d, -k[i].time[0], before);
+        if (!isfinite(f->gap) || !isfinite(k[i].gap) || !isfinite(off))
+            off = TOL_BAR_FIRST_ORDER *
+                  (fmax(fabs(f->beside), fabs(k[i].beside)) + least);
+        k[i].aside = fmax(before, off);
+    }
+}
+
 /* The curve between two knots. */
 struct between {
     const struct block *block;
@@ -276,16 +336,6 @@ static double rounding_of(const struct slider *s, const struct slow_knot *k,
     return slow_knot_is_fast_y(k) ? h * r * (10.0 + h * shrinks) / 32.0 : 0.0;
 }
 
-/* What noise of the curvatures at knots h apart makes of x between two of them:
- * h^2/64 of that at each. */
-static double bending_of(const struct slow_knot *f, const struct slow_knot *k,
-                         const struct slow_knot *g, double h)
-{
-    const double most = fmax(fmax(f->bend_noise, g->bend_noise), k->bend_noise);
-
-    return h * h / 32.0 * most;
-}
-
 /* What a polynomial over two steps misses at the knot between is 64 times what
  * one over one step misses; but as much, at most, is noise of the slopes. */
 static double missed_of(double missed, double noise)
@@ -300,29 +350,28 @@ static void widen(double *from, double *to, double error)
     *to = fmax(*to, error);
 }
 
-/* What friction is off because knots are: `beside` at their y, or at their x
- * where the curve is steep and may end at a face of x; and some digits at the
- * least, for between two knots a polynomial is off as an odd function, which
- * the one over both steps does not show at the knot in its middle. */
-static void add_places(const struct slider *s, struct slow_branch *b)
+/* What friction is off where the curve is `aside` in x, or as much in y as its
+ * slope makes of that: of its largest value the less of both, at the end, a
+ * face of either coordinate, the more. */
+static void judge_friction(const struct slider *s, struct slow_branch *b)
 {
     const struct vec2 m = s->block.steep;
-    struct slow_knot *const k = b->knot;
+    const size_t last = b->count - 1;
 
-    for (size_t i = 0; i < b->count; i++) {
-        const struct slow_knot *f = &k[i > 0 ? i - 1 : 0];
-        const double off = fmax(fabs(f->beside), fabs(k[i].beside));
-        const double least =
-            TOL_REST_WRONG * (1.0 + fabs(s->block.at.x0 + k[i].x));
-        const double slope = fmax(m.x, m.y / fmax(fabs(k[i].x_slope), 1.0));
-        k[i].mu_error +=
-            TOL_BAR_FIRST_ORDER * (slope * off + (m.x + m.y) * least);
+    for (size_t i = 0; i <= last; i++) {
+        struct slow_knot *const k = &b->knot[i], *before = &k[i > 0 ? -1 : 0];
+        const double steep = fmin(fabs(before->x_slope), fabs(k->x_slope));
+        const double per_y = m.y / steep;
+        const double per =
+            i < last ? fmin(m.x, per_y) : fmax(m.x, fmin(m.y, per_y));
+        k->mu_error = per * k->aside +
+                      TOL_SLOW_TERMS * (m.x + m.y) *
+                          slider_rounding(s, (struct vec2){ k->x, k->y });
     }
 }
 
 void slow_fit_judge(const struct slider *s, struct slow_branch *b)
 {
-    const double a = s->block.steep.x;
     struct slow_knot *const k = b->knot;
     double ignored;
 
@@ -333,17 +382,14 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
         const double t = slow_quintic(f->time, g->time, h, theta, &ignored);
         const double l = slow_quintic(f->slip, g->slip, h, theta, &ignored);
         const double noise = rounding_of(s, &k[i], 0.5 * fabs(h));
-        const double bent = bending_of(f, &k[i], g, 0.5 * h);
         const double shift = slow_knot_shift(&k[i], x);
         const double time = fabs(k[i].time[1]), slip = fabs(k[i].slip[1]);
         widen(&k[i].time_error, &k[i + 1].time_error,
               missed_of(fabs(t - k[i].time[0]) + time * shift, time * noise));
         widen(&k[i].slip_error, &k[i + 1].slip_error,
               missed_of(fabs(l - k[i].slip[0]) + slip * shift, slip * noise));
-        widen(&k[i].mu_error, &k[i + 1].mu_error,
-              a * missed_of(fabs(x), fabs(k[i].x_slope) * noise + bent));
     }
-    add_places(s, b);
+    judge_friction(s, b);
     judge_peaks(b);
 }
 

@@ -15,6 +15,10 @@ void slow_fit_smooth(struct slow_branch *b);
  * knot is still what its step gained. */
 void slow_fit_fibres(struct slow_branch *b);
 
+/* How far the curve, an orbit from its first knot, is beside its polynomials.
+ * Time of a knot is still what its step gained. */
+void slow_fit_places(const struct slider *s, struct slow_branch *b);
+
 /* The largest friction on the way to each knot, and the peaks to come.  Where
  * steps are short the curve is better than what they say between their ends,
  * off it, where friction balances gravity.  b->end_aside is known. */

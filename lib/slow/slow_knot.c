@@ -63,9 +63,6 @@ void slow_knot_at(const struct slider *s, const double u[], double slope,
     const double bend = (J.matrix.yx * slope + J.matrix.yy) / d.y;
     const double v = slip_rate(s, z.x);
     k->x_bend = (J.matrix.xx * slope + J.matrix.xy) / d.y - slope * bend;
-    if (!(k->gap < TOL_SLOW_NOISY))
-        k->bend_noise = fabs((J.matrix.xx - J.matrix.yx * slope) / d.y *
-                             (d.x / d.y - slope));
     k->time[1] = -1.0 / rate;
     k->time[2] = bend / rate;
     k->slip[1] = -v / rate;

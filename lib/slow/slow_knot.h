@@ -12,17 +12,16 @@ struct slider;
 
 /* One point of the orbit, an offset from the system's origin. */
 struct slow_knot {
-    double y, x, x_slope, x_bend; /* dx/dy, d2x/dy2 */
-    double bend_noise; /* what the orbit's slope makes of x_bend that is not the
-                          field's */
+    double y, x, x_slope, x_bend;  /* dx/dy, d2x/dy2 */
     double time[3], slip[3];       /* with two derivatives by y */
     double time_error, slip_error; /* from the knot before to this one */
     double time_bar, slip_bar;     /* from here on */
     double beside;                 /* how far x is off, at this y */
-    double fast;                   /* |lambda|, per unit of time */
-    double gap;          /* the slow rate over it; HUGE_VAL: not to land on */
-    double fold;         /* the time in which it gets 1/e nearer the curve than
-                            what follows that does to it */
+    double aside; /* and at most at any y from the knot before to this one */
+    double fast;  /* |lambda|, per unit of time */
+    double gap;   /* the slow rate over it; HUGE_VAL: not to land on */
+    double fold;  /* the time in which it gets 1/e nearer the curve than
+                     what follows that does to it */
     struct vec2 fibre;   /* unit: the eigenvector of |lambda|, then the fibre */
     double swing;        /* how far off that is, at most */
     double mu, mu_error; /* largest on the way to this knot */

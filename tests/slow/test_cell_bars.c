@@ -129,6 +129,41 @@ static bool is_known(const struct quad_orbit *t)
     return t->fate != FATE_UNDECIDED && t->fate != FATE_RUNAWAY;
 }
 
+/* The curve is the orbit from its first knot that may be landed on: at a place
+ * on the way, by 113 bits. */
+static void try_curve(const struct quad_slope *q, const struct slow_branch *b,
+                      uint64_t *rng)
+{
+    const struct vec2 o = q->study->slider.plane.system.origin;
+    const struct slow_knot *const k = b->knot;
+    struct slow_point p;
+    size_t first = 0, end;
+    quad z[2];
+
+    while (first < b->count && !isfinite(k[first].gap))
+        first++;
+    for (end = first; end < b->count && isfinite(k[end].gap); end++)
+        ;
+    if (end < first + 2)
+        return;
+    const size_t i = first + check_bits(rng) % (end - first - 1);
+    const double part = check_uniform(rng, 0.0, 1.0);
+    const double time = k[first].time[0] - k[i].time[0] -
+                        part * (k[i + 1].time[0] - k[i].time[0]);
+    if (!quad_orbit_at(q, (quad) o.x + (quad) k[first].x,
+                       (quad) o.y + (quad) k[first].y, (quad) time, 1e-12, z))
+        return;
+    const struct vec2 at = { (double) (z[0] - (quad) o.x),
+                             (double) (z[1] - (quad) o.y) };
+    const size_t to = slow_branch_interval(b, at.y);
+    if (to == 0 || !slow_point_at(b, at.y, &p) || !isfinite(k[to - 1].gap))
+        return;
+    const double digits = slider_rounding(&q->study->slider, at);
+    CHECK(fabs(p.x - at.x) <= k[to].aside + digits * (1.0 + fabs(p.x_slope)),
+          "%s, knot %zu of %zu: %g, not %g", name, to, b->count,
+          fabs(p.x - at.x), k[to].aside);
+}
+
 static void try_cells(const struct slope *s, const struct quad_slope *q,
                       const struct fast_cells *fast, struct vec2 z)
 {
@@ -244,6 +279,8 @@ static void bars_hold_and_half_of_them_are_not_much_wider_than_the_error(
         draw(i, &rng, steady_only, 0.0, &s);
         quad_slope_init(&q, &s.study);
         assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
+        for (size_t k = 0; k < fast.curve.branches; k++)
+            try_curve(&q, &fast.curve.branch[k], &rng);
         const bool has = push_init(&p, &s.scene, NULL, &why) == STATUS_OK;
         for (int k = 0; k < EACH; k++) {
             const struct vec2 z = draw_state(&s, &rng);

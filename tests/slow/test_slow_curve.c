@@ -170,7 +170,7 @@ static void it_leads_on_where_blocks_never_quite_stop(void **state)
 
 static double sum_of(const struct slow_knot *k)
 {
-    return k->x_slope + k->x_bend + k->bend_noise + k->time[0] + k->time[1] +
+    return k->x_slope + k->x_bend + k->aside + k->time[0] + k->time[1] +
            k->time[2] + k->slip[0] + k->slip[1] + k->slip[2] + k->time_error +
            k->slip_error + k->time_bar + k->slip_bar + k->mu + k->mu_error +
            k->mu_y + k->mu_peak_error;
