@@ -48,7 +48,8 @@ void landing_start(struct landing *l, const struct slow_curve *c, struct vec2 z,
     *out = (struct layer){ LAYER_LOST, .x = { z.x, 0.0, z.x }, .y = NAN };
     l->start = l->across = slider_rounding(c->slider, z);
     if (options->peaks)
-        l->mu = out->mu.value = out->mu.most = block_mu(&c->slider->block, z);
+        l->mu = l->mu_least = out->mu.value = out->mu.most =
+            block_mu(&c->slider->block, z);
     choose_least(l, least);
 }
 

@@ -60,49 +60,99 @@ static bool is_rising(const struct arc *a, const double u[], const double du[])
     return at_point(a, ahead) > at_point(a, u);
 }
 
-/* The largest value on the step to u1, whose places err by as much as `error`
- * of it.  At corners polynomials are worse than steps: a shorter step to their
- * peak tells, and on which side of it to look again. */
-static void raise_on(const struct landing *l, double h,
-                     const struct explicit8 *stages, point_value *value,
-                     const double u1[], double error_of, struct layer_peak *p)
+/* What a step of length h, which begins at u, makes of the value where it
+ * ends. */
+static double value_after(const struct arc *a, const struct slider *s,
+                          struct vec2 from, double h)
 {
-    const struct slider *slider = l->curve->slider;
-    const struct ode ode = { LAYER_DIM, landing_along, slider };
-    const double tol = l->options.rtol, atol[LAYER_DIM] = { tol, tol, 1., 1. };
+    const struct ode ode = { LAYER_DIM, landing_along, s };
+    const double unit[LAYER_DIM] = { 1.0, 1.0, 1.0, 1.0 };
+    const double u[LAYER_DIM] = { from.x, from.y, 0.0, 0.0 };
+    double to[LAYER_DIM], error[LAYER_DIM];
+    struct explicit8 work;
+
+    landing_along(s, 0.0, u, work.k[0]);
+    explicit8_try(&work, &ode, 0.0, u, h, unit, 0.0, to, error);
+    return at_point(a, to);
+}
+
+/* How far off the value is that much further along, where it is largest: by
+ * what is beside the start, and what a step to there misses by its halves. */
+static double error_at(const struct landing *l, const struct arc *a, double h)
+{
+    const struct slider *s = l->curve->slider;
+    const struct vec2 from = landing_place(l), way = landing_way(l);
+    const double far = TOL_ASIDE * fmin(fmax(fabs(from.x), fabs(from.y)), 1.0);
+    const struct vec2 aside = { from.x - far * way.y, from.y + far * way.x };
+    const double moves =
+        (value_after(a, s, aside, h) - value_after(a, s, from, h)) / far;
+    const double missed = landing_halve(s, from, h).across;
+    const struct vec2 m = s->block.steep;
+    const double steep = a->value == x_of ? 1.0 : m.x + m.y;
+
+    return TOL_LAYER_TRANSPORT * fabs(moves) * l->before +
+           TOL_BAR_FIRST_ORDER * steep * fabs(missed);
+}
+
+/* Where the value is largest on the step to u1, if that is neither there, where
+ * it `rises`, nor more than is known: at corners polynomials are worse than
+ * steps, and a shorter step to their peak tells, and on which side of it to
+ * look again.  How far along, and the value; false: it is not. */
+static bool crest_on(const struct landing *l, double h,
+                     const struct explicit8 *stages, struct arc *a,
+                     const double u1[], bool rises, double known, double *arc,
+                     double *top)
+{
+    const struct ode ode = { LAYER_DIM, landing_along, l->curve->slider };
+    const double unit[LAYER_DIM] = { 1.0, 1.0, 1.0, 1.0 };
     struct explicit8 work = *stages;
-    struct arc a = { &slider->block, value, { 0.0 } };
     double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
-    double t, doubt = 0.0, seen = at_point(&a, u1);
+    double t, from = 0.0, seen = fmax(known, at_point(a, u1));
 
     memcpy(u, l->u, sizeof u);
     memcpy(end, u1, sizeof end);
-    for (int i = 0; i < TOL_ITERATIONS; i++) {
-        explicit8_dense(&work, &ode, 0.0, u, h, end, a.coef);
-        const double top = crest_of(on_arc, &a, &t);
-        if (!(top > fmax(p->value, seen))) {
-            layer_peak_raise(p, top, error_of);
-            doubt = 0.0;
-            break;
+    explicit8_dense(&work, &ode, 0.0, u, h, end, a->coef);
+    *top = crest_of(on_arc, a, &t);
+    *arc = t * h;
+    if (rises && t == 1.0)
+        return false;
+    for (int i = 0; i < TOL_ITERATIONS && crest_of(on_arc, a, &t) > seen; i++) {
+        explicit8_try(&work, &ode, 0.0, u, t * h, unit, 0.0, mid, error);
+        const double here = at_point(a, mid);
+        if (i == 0 || here > seen) {
+            *top = here;
+            *arc = from + t * h;
         }
-        explicit8_try(&work, &ode, 0.0, u, t * h, atol, tol, mid, error);
-        const double here = at_point(&a, mid);
         seen = fmax(seen, here);
-        doubt = fabs(here - top);
-        if (doubt <= tol)
-            break;
-        landing_along(slider, 0.0, mid, work.k[LAST]);
-        if (is_rising(&a, mid, work.k[LAST])) {
+        landing_along(l->curve->slider, 0.0, mid, work.k[LAST]);
+        if (is_rising(a, mid, work.k[LAST])) {
             memcpy(u, mid, sizeof u);
             memcpy(work.k[0], work.k[LAST], sizeof work.k[0]);
+            from += t * h;
             h *= 1.0 - t;
-            explicit8_try(&work, &ode, 0.0, u, h, atol, tol, end, error);
+            explicit8_try(&work, &ode, 0.0, u, h, unit, 0.0, end, error);
         } else {
             memcpy(end, mid, sizeof end);
             h *= t;
         }
+        explicit8_dense(&work, &ode, 0.0, u, h, end, a->coef);
     }
-    layer_peak_raise(p, seen, error_of + doubt);
+    return true;
+}
+
+/* The largest value on the step to u1, whose places err by as much as `most` of
+ * it at most, and by `rounding`. */
+static void raise_on(const struct landing *l, double h,
+                     const struct explicit8 *stages, point_value *value,
+                     const double u1[], bool rises, double most,
+                     double rounding, struct layer_peak *p)
+{
+    struct arc a = { &l->curve->slider->block, value, { 0.0 } };
+    double arc, top;
+
+    if (crest_on(l, h, stages, &a, u1, rises, p->value, &arc, &top) &&
+        (top > p->value || top + most > p->most))
+        layer_peak_raise(p, top, error_at(l, &a, arc) + rounding);
 }
 
 /* The most that friction, from mu0 to mu1, can be on an arc of length h: it
@@ -138,27 +188,32 @@ double layer_peak_error(const struct layer_peak *p)
 }
 
 /* v has a peak where it rises at first and falls at last, and none at the end
- * of a step; mu may have one anywhere.  Rounding moves a value by what it moves
- * its place by. */
+ * of a step; mu may have one anywhere, but where it rises at the end of a step
+ * what comes is more.  Rounding moves a value by what it moves its place by. */
 void layer_peaks_step(struct landing *l, double h, double across,
                       const struct explicit8 *stages, const double u1[],
                       const double du1[])
 {
     const struct block *block = &l->curve->slider->block;
+    const struct arc arc = { block, mu_of, { 0.0 } };
     struct layer *const out = l->out;
-    const double mu0 = l->mu;
+    const double mu0 = l->mu, steep = block->steep.x + block->steep.y;
     const struct vec2 to = { u1[LAYER_X], u1[LAYER_Y] };
-    const double x_error =
-        TOL_LAYER_TRANSPORT * across + slider_rounding(l->curve->slider, to);
-    const double mu_error = (block->steep.x + block->steep.y) * x_error;
+    const double rounding = slider_rounding(l->curve->slider, to);
+    const double most = TOL_LAYER_TRANSPORT * across + rounding;
+    const double at_end = steep * (TOL_LAYER_TRANSPORT * l->across + rounding);
+    const bool rises = is_rising(&arc, u1, du1);
 
     l->mu = block_mu(block, to);
     out->mu_next = fmax(out->mu_next, l->mu);
-    layer_peak_raise(&out->mu, l->mu, mu_error);
+    l->mu_least = fmax(l->mu_least, l->mu - at_end);
+    if (!rises)
+        layer_peak_raise(&out->mu, l->mu, at_end);
     if (l->du[LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
-        raise_on(l, h, stages, x_of, u1, x_error, &out->x);
-    if (most_on(block, mu0, l->mu, h) > out->mu.most)
-        raise_on(l, h, stages, mu_of, u1, mu_error, &out->mu);
+        raise_on(l, h, stages, x_of, u1, false, most, rounding, &out->x);
+    if (most_on(block, mu0, l->mu, h) + steep * most > l->mu_least)
+        raise_on(l, h, stages, mu_of, u1, rises, steep * most, steep * rounding,
+                 &out->mu);
 }
 
 /* ---- to come ------------------------------------------------------------- */
@@ -174,56 +229,102 @@ static bool mu_rises(const struct landing *l)
     return block_mu(b, ahead) >= block_mu(b, z);
 }
 
+/* A point of the curve on the fibre of where it landed, `off` along it; how far
+ * along the curve that is off, in y, by what the orbit is. */
+struct foot {
+    const struct slow_point *p;
+    double y, off, shift;
+    double mu, mu_slope; /* of friction, there and per unit of y, with what
+                            rounding makes of that */
+};
+
+static struct foot foot_at(const struct landing *l, const struct slow_point *p,
+                           double y, double off)
+{
+    const struct block *b = &l->curve->slider->block;
+    const double way = -copysign(TOL_ASIDE, p->time_slope);
+    const struct vec2 ahead = { p->x + way * p->x_slope, y + way };
+    const double mu = block_mu(b, (struct vec2){ p->x, y });
+    const double falls = fabs(mu - block_mu(b, ahead)) +
+                         TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(mu);
+    const double det = fabs(p->fibre.x - p->fibre.y * p->x_slope);
+
+    return (struct foot){ p,   y,
+                          off, TOL_LAYER_TRANSPORT * l->across / det,
+                          mu,  falls / TOL_ASIDE };
+}
+
 /* How much less than mu, the largest on the curve from y on, is to come where
  * friction is below that by `apart` at most, in each 1/fast by e times
  * less, and the curve's falls by r meanwhile: after ln(apart/r) of these it
  * lacks r (1 + ln(apart/r)). */
-static double mu_lacks(const struct landing *l, const struct slow_point *p,
-                       double y, double mu, double apart)
+static double mu_lacks(const struct foot *f, double apart)
 {
-    const double way = -copysign(TOL_ASIDE, p->time_slope);
-    const struct vec2 ahead = { p->x + way * p->x_slope, y + way };
-    const double falls = fabs(mu - block_mu(&l->curve->slider->block, ahead)) +
-                         TOL_ROUNDINGS_FEW * DBL_EPSILON * fabs(mu);
-    const double r = 2.0 * falls / fabs(way * p->time_slope * p->fast);
+    const double r = 2.0 * f->mu_slope / fabs(f->p->time_slope * f->p->fast);
     const double folds = log(apart / r);
 
-    return folds > 0.0 && folds * p->gap < TOL_FAR_BELOW ? r * (1.0 + folds)
-                                                         : apart;
+    return folds > 0.0 && folds * f->p->gap < TOL_FAR_BELOW ? r * (1.0 + folds)
+                                                            : apart;
 }
 
-/* The largest friction to come, which is the curve's but for *aside.  What sets
- * friction here apart from that on the curve only decays: where friction falls
- * by now, and along the curve, there is none to come; and of a peak beyond the
- * next knot, higher than all before it can be, only what is left by then.
- * Clearly below the curve's it stays below, unless the fibre turns before it is
- * there. */
-static double mu_to_come(const struct landing *l, const struct slow_point *p,
-                         double y, double off, double *aside)
+/* How far what is to come on the interval is from `near`, the curve's there.
+ * Clearly below the curve's friction stays below, but for what the orbit is
+ * off, unless the fibre turns before it is there. */
+static double mu_aside(const struct landing *l, const struct foot *f,
+                       double near, bool falls)
 {
-    const struct block *b = &l->curve->slider->block;
-    const double mu = block_mu(b, (struct vec2){ p->x, y });
-    const bool is_ahead = (p->mu_y - y) * p->time_slope < 0.0;
-    const double near = is_ahead ? fmax(mu, p->mu_near) : mu;
+    const struct slow_point *p = f->p;
+    const struct vec2 m = l->curve->slider->block.steep;
+    const double beside = TOL_LAYER_TRANSPORT * l->across * (m.x + m.y);
     const double apart =
-        2.0 * fabs(off) *
-        (b->steep.x * fabs(p->fibre.x) + b->steep.y * fabs(p->fibre.y));
-    const double orbit =
-        TOL_LAYER_TRANSPORT * l->across * (b->steep.x + b->steep.y);
-    const bool falls = near == mu && !(p->mu_peak > mu);
-    const bool is_below = mu - l->mu > fmax(TOL_SHARE * apart, orbit) &&
-                          TOL_SETTLED * p->gap < 1.0;
-    const double below = falls        ? mu_lacks(l, p, y, mu, apart)
-                         : near == mu ? 0.0
-                                      : apart;
-    const double wide = orbit + (is_below ? below : apart);
+        2.0 * fabs(f->off) * (m.x * fabs(p->fibre.x) + m.y * fabs(p->fibre.y)) +
+        beside;
+    const double along = (f->mu_slope + (m.x + m.y) * f->shift) * f->shift;
+    const double lies = f->mu - l->mu;
+    const bool is_below =
+        lies > TOL_SHARE * apart && TOL_SETTLED * p->gap < 1.0;
+    const double below = falls           ? mu_lacks(f, apart)
+                         : near == f->mu ? 0.0
+                                         : apart;
 
-    *aside = TOL_LAYER_FORGET * fabs(off) * exp(-p->mu_folds) +
-             (near + wide < p->mu_peak ? 0.0 : wide);
-    return falls && !mu_rises(l) ? -HUGE_VAL : fmax(near, p->mu_peak);
+    return along + (is_below ? below + fmax(beside - lies, 0.0) : apart);
 }
 
-/* Where it still rises, the end of its last step may lie beyond the face. */
+/* Friction to come, with what it is off: on the interval, and beyond the next
+ * knot.  What sets friction here apart from that on the curve only decays:
+ * where friction falls by now, and along the curve, there is none to come; and
+ * of a peak beyond the next knot only what is left by then. */
+struct to_come {
+    double near, near_error, far, far_error;
+};
+
+static struct to_come mu_to_come(const struct landing *l, const struct foot *f)
+{
+    const struct slow_point *p = f->p;
+    const bool is_ahead = (p->mu_y - f->y) * p->time_slope < 0.0;
+    const double near = is_ahead ? fmax(f->mu, p->mu_near) : f->mu;
+    const bool falls = near == f->mu && !(p->mu_peak > f->mu);
+
+    if (falls && !mu_rises(l))
+        return (struct to_come){ -HUGE_VAL, 0.0, -HUGE_VAL, 0.0 };
+    return (struct to_come){
+        near,
+        mu_aside(l, f, near, falls),
+        p->mu_peak,
+        TOL_LAYER_FORGET * fabs(f->off) * exp(-p->mu_folds),
+    };
+}
+
+/* What is not known of friction that may be the largest. */
+static double unsure_of(const struct to_come *c, double most)
+{
+    const double near =
+        c->near + c->near_error > fmax(most, c->far) ? c->near_error : 0.0;
+    const double far = c->far + c->far_error > most ? c->far_error : 0.0;
+
+    return fmax(near, far);
+}
+
 void layer_peaks_arrive(struct landing *l, double way, double error)
 {
     const struct block *b = &l->curve->slider->block;
@@ -233,8 +334,6 @@ void layer_peaks_arrive(struct landing *l, double way, double error)
 
     if (!mu_rises(l))
         return;
-    if (l->out->mu.value == l->mu)
-        l->out->mu.value = fmin(l->mu, mu);
     layer_peak_raise(&l->out->mu, mu,
                      (b->steep.x + b->steep.y) *
                          (error + slider_rounding(l->curve->slider, at)));
@@ -249,36 +348,49 @@ static double x_below(const struct layer *out, const struct slow_point *p,
                             : fmax(p->x - out->x.value, 0.0);
 }
 
-/* Of ln v on the curve, which is as accurate as its orbit, but at the end. */
-static double curve_error(const struct landing *l, const struct slow_point *p,
-                          double x)
+/* Of ln v that is largest ahead on the curve, which is as accurate as its
+ * orbit, but at the end. */
+static double x_ahead_error(const struct landing *l, const struct slow_point *p)
 {
     const double wrong = TOL_BAR_FIRST_ORDER * TOL_REST_WRONG;
 
-    return x == p->x_end
+    return p->x_peak == p->x_end
                ? p->x_end_error
-               : wrong * (1.0 + fabs(l->curve->slider->block.at.x0 + x));
+               : wrong *
+                     (1.0 + fabs(l->curve->slider->block.at.x0 + p->x_peak));
+}
+
+/* Of ln v on the curve where it lands: by what the curve is aside, along the
+ * fibre, and by its place on it. */
+static double x_error(const struct landing *l, const struct foot *f)
+{
+    const struct slow_point *p = f->p;
+    const double det = p->fibre.x - p->fibre.y * p->x_slope;
+
+    return fabs(p->fibre.x / det) * p->aside +
+           (fabs(p->x_slope) + f->shift) * f->shift +
+           slider_rounding(l->curve->slider, (struct vec2){ p->x, f->y });
 }
 
 bool layer_peaks_land(struct landing *l, const struct slow_point *p, double y,
                       double off, double *excess)
 {
     struct layer *const out = l->out;
-    double aside;
-    const double most = mu_to_come(l, p, y, off, &aside);
+    const struct foot f = foot_at(l, p, y, off);
+    const struct to_come mu = mu_to_come(l, &f);
+    const double largest = fmax(out->mu.value, fmax(mu.near, mu.far));
     const double part = TOL_SHARE * l->options.promise;
     const double below = x_below(out, p, off);
-    const double unsure = most + aside > out->mu.value ? aside : 0.0;
-    const double much = fmax(unsure / fabs(out->mu.value), below) / part;
+    const double unsure = unsure_of(&mu, out->mu.value);
+    const double much = fmax(unsure / fabs(largest), below) / part;
 
     *excess = fmax(*excess, much);
     if (much > 1.0 && fabs(off) > TOL_LAYER_MU_TOUCH)
         return false;
-    layer_peak_raise(&out->x, p->x,
-                     below + TOL_LAYER_TRANSPORT * l->across +
-                         curve_error(l, p, p->x));
-    layer_peak_raise(&out->x, p->x_peak, below + curve_error(l, p, p->x_peak));
-    layer_peak_raise(&out->mu, most, aside + p->mu_error);
-    out->mu_next = fmax(out->mu_next, most);
+    layer_peak_raise(&out->x, p->x, below + x_error(l, &f));
+    layer_peak_raise(&out->x, p->x_peak, below + x_ahead_error(l, p));
+    layer_peak_raise(&out->mu, mu.near, mu.near_error + p->mu_error);
+    layer_peak_raise(&out->mu, mu.far, mu.far_error + p->mu_peak_error);
+    out->mu_next = fmax(out->mu_next, fmax(mu.near, mu.far));
     return true;
 }

@@ -10,8 +10,8 @@
 void layer_peaks_start(struct landing *l);
 
 /* On the step of length h from where it is to u1, which goes on along du1;
- * stages: of explicit8_try; across: how far off the orbit the step is at most,
- * and the largest value of a curve as much as its slope makes of that. */
+ * stages: of explicit8_try; across: how far off the orbit the step is at most.
+ */
 void layer_peaks_step(struct landing *l, double h, double across,
                       const struct explicit8 *stages, const double u1[],
                       const double du1[]);

@@ -19,6 +19,7 @@ static struct slow_point common(const struct slow_branch *b,
         .time_error = k->time_bar + next->time_error,
         .slip_error = k->slip_bar + next->slip_error,
         .x_slope = k->x_slope,
+        .aside = next->aside,
         .fast = k->fast,
         .gap = fmax(k->gap, next->gap),
         .fibre = k->fibre,
@@ -35,7 +36,8 @@ static struct slow_point common(const struct slow_branch *b,
         .mu_folds = next->mu_folds,
         .mu_near = next->mu,
         .mu_y = next->mu_y,
-        .mu_error = fmax(next->mu_error, next->mu_peak_error),
+        .mu_error = next->mu_error,
+        .mu_peak_error = next->mu_peak_error,
     };
 }
 

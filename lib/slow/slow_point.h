@@ -10,6 +10,7 @@
 struct slow_point {
     int8_t fate;
     double x, x_slope; /* offset from the system's origin */
+    double aside;      /* how far x is off, at this y */
     double time, slip; /* to arrest, units of L/V_star and L */
     double time_slope, slip_slope;
     double time_error, slip_error;   /* absolute, of the table */
@@ -25,7 +26,7 @@ struct slow_point {
     double x_peak, mu_peak;          /* largest from some later point on */
     double folds, x_folds, mu_folds; /* as of a knot, but from here on */
     double mu_near, mu_y; /* largest on the interval around it; where */
-    double mu_error;      /* of both */
+    double mu_error, mu_peak_error; /* of mu on it, and of mu_peak */
 };
 
 /* The branch's point at the offset y.  False: y is not on the branch, nor

@@ -50,8 +50,9 @@
  * landing's distance and none below TOL_TOUCH; the least error that tells
  * anything on the next step. Bars: what the fibre's curvature and the slow
  * rates change of what it corrects (measured: errors are 0.5 of that at most,
- * half of them 0.1), and how far off an orbit its peaks are, of what is known
- * of it at the ends of a step (a corner of the orbit is within one). */
+ * half of them 0.1), and how far off an orbit a step is, of what is known of it
+ * at the ends (a corner is within one, and on stiff ones all terms may be
+ * small: 4.2 by 113 bits). */
 #define TOL_LAYER_CLOSER    0.01
 #define TOL_LAYER_FORGET    4.0
 #define TOL_LAYER_STEPS     500

@@ -384,49 +384,6 @@ static void v_may_rise_where_its_rest_is_known(void **state)
     slope_free(&s);
 }
 
-/* It rises to the curve's, which falls, or to a peak that follows at once; in
- * 113 bits. */
-static void friction_below_the_curves_is_the_curves_largest(void **state)
-{
-    static const struct {
-        struct found slope;
-        long double tan_alpha;
-        struct vec2 z;
-        double mu_peak;
-    } is[] = {
-        { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
-            KINETICS_SINH, 0.369, 0.038280176998547417, 0.0489,
-            0.00021766313500024798, 30.498928794857644, 1.5762045826358809e-06,
-            1e-6, 0.0, 1e-4 },
-          0.306511892357508314603L,
-          { 3.9476680251625815, -10.456528698293031 },
-          0.30649504480925599 },
-        { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
-            KINETICS_LINEAR, 0.369, 0.026727496891001169, 0.0489,
-            0.004914795141027363, 57.8201034493405, 1.8764367438752149e-05,
-            1e-6, 0.0, 1e-7 },
-          0.341931512504706269865L,
-          { -2.5839390992797773, -0.27204086453944742 },
-          0.34193151698846852 },
-    };
-
-    (void) state;
-    for (size_t i = 0; i < sizeof is / sizeof *is; i++) {
-        static struct slope s;
-        struct fast_cells fast;
-        struct cell c;
-        make_at(&is[i].slope, is[i].tan_alpha, &s);
-        assert_int_equal(fast_cells_init(&fast, &s.study.slider, NULL), 0);
-        assert_int_equal(fast_cells_find(&fast, &is[i].z, 1, is[i].slope.rtol,
-                                         ALL, NULL, &c, NULL),
-                         0);
-        is_near(&c, CELL_MU_PEAK, is[i].mu_peak);
-        CHECK(c.mu_peak_error < 1e-10, "%g", c.mu_peak_error);
-        fast_cells_free(&fast);
-        slope_free(&s);
-    }
-}
-
 /* In 113 bits: it lands 4e-7 beside the curve, between knots 0.1 apart. */
 static void a_rest_is_where_it_is_between_knots(void **state)
 {
@@ -482,7 +439,6 @@ int main(void)
         cmocka_unit_test(
             a_peak_is_found_between_samples_of_an_orbit_not_run_again),
         cmocka_unit_test(rounding_along_the_curve_is_no_peak_of_friction),
-        cmocka_unit_test(friction_below_the_curves_is_the_curves_largest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
