@@ -7,9 +7,10 @@
  * the first node, what the rate at z is off from what
  * the nodes make of it, for a kink may hide from them there; and what the slope
  * makes of an approach that is off by as much as the quadrature is from
- * g0/kappa.  Nodes and weights: Abramowitz & Stegun 25.4.45, here to 17 digits,
- * weights times e^node.  Integrals may decay much more slowly than the slope,
- * which may be 0 in a double.
+ * g0/kappa.  How a tail goes with dep is the difference of the coarse rule and
+ * that beside it.  Nodes and weights: Abramowitz & Stegun 25.4.45, here to 17
+ * digits, weights times e^node.  Integrals may decay much more slowly than the
+ * slope, which may be 0 in a double.
  */
 #include "close.h"
 
@@ -67,7 +68,8 @@ struct approach {
     struct vec2 z;
     const struct tail_most *most;
     struct tail_point first, kappa; /* rates at z, and how fast they decay */
-    double stiffness;               /* |d slope/d dep| at z */
+    double by_dep;                  /* d slope/d dep at z */
+    double aside;                   /* of dep, where it is looked at, too */
 };
 
 /* Infinite where the rate is below the smallest double. */
@@ -93,7 +95,8 @@ static void look(struct approach *a, int rated, const struct planar_look *at)
     a->first.unknown = a->toward * across / along;
     a->kappa.unknown =
         decay_rate(across, a->toward * (across_i / across - slower));
-    a->stiffness = fabs((across_d - across / along * along_d) / along);
+    a->by_dep = (across_d - across / along * along_d) / along;
+    a->aside = TOL_ASIDE * fmax(1.0, fabs(over_x ? a->z.y : a->z.x));
     for (size_t i = 0; i < a->carry->count; i++) {
         const bool seen = rated >= 0;
         double rate = seen ? at->rate : 1.0;
@@ -108,11 +111,14 @@ static void look(struct approach *a, int rated, const struct planar_look *at)
     }
 }
 
-/* Where the rates at a distance beyond z are taken. */
-static struct vec2 place_beyond(const struct approach *a, double distance)
+/* Where the rates at a distance beyond z are taken, or beyond what is so far
+ * beside it. */
+static struct vec2 place_beyond(const struct approach *a, double distance,
+                                double aside)
 {
     const double kappa = a->kappa.unknown;
-    const double moved = -a->first.unknown / kappa * expm1(-kappa * distance);
+    const double first = a->first.unknown + a->toward * a->by_dep * aside;
+    const double moved = aside - first / kappa * expm1(-kappa * distance);
     const double ind = (a->ind == 0 ? a->z.x : a->z.y) + a->toward * distance;
     const double dep = (a->ind == 0 ? a->z.y : a->z.x) + moved;
 
@@ -165,10 +171,11 @@ static void sum_up(const struct approach *a, size_t n, const double weight[],
     }
 }
 
-/* The same tail by three rules, and the rates at z as the fine one's nodes have
- * it. */
+/* The same tail by three rules, that beside it by the coarse one, and the rates
+ * at z as the fine one's nodes have it. */
 struct rules {
-    struct tail_point fine, middle, coarse, at_0;
+    struct tail_point fine, middle, coarse, beside, at_0;
+    double kept; /* of the slope that dep's error makes, at the last node */
 };
 
 /* *sum, and the rates at the nodes. */
@@ -179,7 +186,7 @@ static void rule(const struct approach *a, size_t n, const double node[],
     struct vec2 z[FINE];
 
     for (size_t k = 0; k < n; k++)
-        z[k] = place_beyond(a, node[k] / kappa);
+        z[k] = place_beyond(a, node[k] / kappa, 0.0);
     rates_at(a, n, z, p);
     sum_up(a, n, weight, p, kappa, sum);
 }
@@ -194,9 +201,16 @@ static void fine_rule(const struct approach *a, double kappa, struct rules *r)
 
 static void coarse_rule(const struct approach *a, double kappa, struct rules *r)
 {
-    struct tail_point p[COARSE];
+    struct tail_point p[2 * COARSE];
+    struct vec2 z[2 * COARSE];
 
-    rule(a, COARSE, coarse_node, coarse_weight, kappa, p, &r->coarse);
+    for (size_t k = 0; k < 2 * COARSE; k++)
+        z[k] = place_beyond(a, coarse_node[k % COARSE] / kappa,
+                            k < COARSE ? 0.0 : a->aside);
+    rates_at(a, 2 * COARSE, z, p);
+    sum_up(a, COARSE, coarse_weight, p, kappa, &r->coarse);
+    sum_up(a, COARSE, coarse_weight, p + COARSE, kappa, &r->beside);
+    r->kept = fabs(p[2 * COARSE - 1].unknown - p[COARSE - 1].unknown);
 }
 
 static void middle_rule(const struct approach *a, double kappa, struct rules *r)
@@ -225,10 +239,11 @@ static void take_integral(const struct approach *a, double kappa,
                           const struct rules *r, size_t i, struct tail *t)
 {
     t->integral[i] = r->fine.integral[i];
-    if (a->most)
-        t->integral_error[i] = miss(r->fine.integral[i], r->middle.integral[i],
-                                    r->coarse.integral[i], r->at_0.integral[i],
-                                    a->first.integral[i], kappa);
+    t->integral_error[i] =
+        miss(r->fine.integral[i], r->middle.integral[i], r->coarse.integral[i],
+             r->at_0.integral[i], a->first.integral[i], kappa);
+    t->integral_by_dep[i] =
+        (r->beside.integral[i] - r->coarse.integral[i]) / a->aside;
 }
 
 /* Integral i by itself. */
@@ -237,19 +252,17 @@ static bool close_integral(const struct approach *a, size_t i, struct tail *t)
     const double kappa = a->kappa.integral[i];
     struct rules r;
 
-    t->integral[i] = t->integral_error[i] = 0.0;
+    t->integral[i] = t->integral_error[i] = t->integral_by_dep[i] = 0.0;
     if (kappa == HUGE_VAL)
         return true;
     if (!(kappa > TOL_LIMIT_DECAY)) {
         t->integral_error[i] = HUGE_VAL;
         return true;
     }
-    if (a->most) {
-        coarse_rule(a, kappa, &r);
-        middle_rule(a, kappa, &r);
-    }
-    if (a->most && misses(r.middle.integral[i], r.coarse.integral[i],
-                          a->most->integral[i]))
+    coarse_rule(a, kappa, &r);
+    middle_rule(a, kappa, &r);
+    if (misses(r.middle.integral[i], r.coarse.integral[i],
+               a->most->integral[i]))
         return false;
     fine_rule(a, kappa, &r);
     take_integral(a, kappa, &r, i, t);
@@ -262,10 +275,18 @@ static bool close_integral(const struct approach *a, size_t i, struct tail *t)
  * but for some roundings. */
 static bool strays(const struct approach *a, double kappa, double coarse)
 {
-    const double part = fmin(a->stiffness / kappa, 1.0);
+    const double part = fmin(fabs(a->by_dep) / kappa, 1.0);
     const double off = fabs(coarse - a->first.unknown / kappa);
 
     return part * off * (1.0 - 8.0 * DBL_EPSILON) > a->most->unknown;
+}
+
+/* Whether dep's error makes a slope that fades as the slope does, by e^-9 to
+ * the last node, and is not that of a line from which others part. */
+static bool fades(const struct approach *a, const struct rules *r)
+{
+    return r->kept <= TOL_FAR_BELOW * fabs(a->by_dep) * a->aside +
+                          DBL_EPSILON * fabs(a->first.unknown);
 }
 
 /* Whether rules of a few points tell that. */
@@ -273,7 +294,7 @@ static bool misses_unknown(const struct approach *a, double kappa,
                            struct rules *r)
 {
     coarse_rule(a, kappa, r);
-    if (strays(a, kappa, r->coarse.unknown))
+    if (strays(a, kappa, r->coarse.unknown) || !fades(a, r))
         return true;
     middle_rule(a, kappa, r);
     return misses(r->middle.unknown, r->coarse.unknown, a->most->unknown);
@@ -285,16 +306,15 @@ static bool close_unknown(const struct approach *a, struct tail *t)
     const double kappa = a->kappa.unknown;
     struct rules r;
 
-    if (a->most && misses_unknown(a, kappa, &r))
+    if (misses_unknown(a, kappa, &r))
         return false;
     fine_rule(a, kappa, &r);
     t->unknown = r.fine.unknown;
     const double off = fabs(r.fine.unknown - a->first.unknown / kappa);
-    if (a->most)
-        t->unknown_error =
-            miss(r.fine.unknown, r.middle.unknown, r.coarse.unknown,
-                 r.at_0.unknown, a->first.unknown, kappa) +
-            off * a->stiffness / kappa;
+    t->unknown_error = miss(r.fine.unknown, r.middle.unknown, r.coarse.unknown,
+                            r.at_0.unknown, a->first.unknown, kappa) +
+                       off * fabs(a->by_dep) / kappa;
+    t->unknown_by_dep = (r.beside.unknown - r.coarse.unknown) / a->aside;
     for (size_t i = 0; i < a->carry->count; i++)
         take_integral(a, kappa, &r, i, t);
     return true;
@@ -312,11 +332,9 @@ static bool is_within(double error, double most)
 
 static bool holds(const struct approach *a, const struct tail *t)
 {
-    bool holds = isfinite(t->unknown);
+    bool holds =
+        isfinite(t->unknown) && is_within(t->unknown_error, a->most->unknown);
 
-    if (a->most == NULL)
-        return holds;
-    holds &= is_within(t->unknown_error, a->most->unknown);
     for (size_t i = 0; i < a->carry->count; i++)
         holds &= is_within(t->integral_error[i], a->most->integral[i]);
     return holds;
@@ -327,7 +345,6 @@ bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
                 const struct tail_most *most, struct tail *t)
 {
     const int rated = many_carried(carry);
-    struct planar_look own;
     struct approach a = { .sys = sys,
                           .carry = carry,
                           .ind = ind,
@@ -336,11 +353,9 @@ bool close_tail(const struct planar *sys, int ind, int toward, struct vec2 z,
                           .most = most };
 
     *t = (struct tail){ 0 };
-    if (at == NULL)
-        many_at(&sys, 1, &z, rated, true, &own);
-    look(&a, rated, at ? at : &own);
+    look(&a, rated, at);
     const double kappa = a.kappa.unknown;
-    if (!(kappa > TOL_LIMIT_DECAY) ||
+    if (!(kappa > TOL_LIMIT_DECAY) || (kappa == HUGE_VAL && a.by_dep != 0.0) ||
         (kappa < HUGE_VAL && !close_unknown(&a, t)))
         return false;
     for (size_t i = 0; i < carry->count; i++)

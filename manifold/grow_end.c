@@ -69,31 +69,6 @@ static struct tail_most most_of(const struct grower *g)
     return most;
 }
 
-static bool close_at(const struct grower *g, struct vec2 z,
-                     const struct planar_look *at, const struct tail_most *most,
-                     struct tail *t)
-{
-    return close_tail(g->sys, g->ind, g->toward, z, at, &g->o->carry, most, t);
-}
-
-/* What the tail makes of dep's error: by the tail beside it. */
-static bool carry_over_tail(struct grower *g, const struct tail *t)
-{
-    const double dep = grower_coordinate(g->z, 1 - g->ind);
-    const double aside = TOL_ASIDE * fmax(1.0, fabs(dep));
-    const struct vec2 z =
-        local_point(g->ind, grower_coordinate(g->z, g->ind), dep + aside);
-    double drift[LOCAL_CARRY_MAX];
-    struct tail beside;
-
-    if (!close_at(g, z, NULL, NULL, &beside))
-        return false;
-    for (size_t i = 0; i < g->o->carry.count; i++)
-        drift[i] = (beside.integral[i] - t->integral[i]) / aside;
-    grow_error_tail(g, 1.0 + (beside.unknown - t->unknown) / aside, drift);
-    return true;
-}
-
 bool grow_end_close(struct grower *g)
 {
     struct tail t;
@@ -101,9 +76,11 @@ bool grow_end_close(struct grower *g)
     if (!may_close(g))
         return false;
     const struct tail_most most = most_of(g);
-    if (!close_at(g, g->z, &g->end, &most, &t) || !has_limit(g) ||
-        !carry_over_tail(g, &t))
+    if (!close_tail(g->sys, g->ind, g->toward, g->z, &g->end, &g->o->carry,
+                    &most, &t) ||
+        !has_limit(g))
         return false;
+    grow_error_tail(g, 1.0 + t.unknown_by_dep, t.integral_by_dep);
     g->b->end = g->ind == 1 ? BRANCH_LIMIT_X : BRANCH_LIMIT_Y;
     g->b->sign = g->toward;
     *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
