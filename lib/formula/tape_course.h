@@ -12,7 +12,7 @@ struct course {
     const void *const *ctx;     /* each lane's */
     jet_pair *reg, *keep;       /* registers, what is kept of order 0 */
     jet_pair *constant;         /* coefficients of entries, two each */
-    jet_pair *A, *B, *S;        /* rows k, sums */
+    jet_pair *A, *B, *S, *next; /* rows k, sums, and those of k + 1 */
     double k, inverse;
     bool first; /* rows A end after the first */
 };

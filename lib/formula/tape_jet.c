@@ -3,8 +3,9 @@
  * known before order k: the sums of all steps are made at once, as one
  * rectangle of rows by slots, and what a step has left to do at an order is a
  * few operations (tape_orders.c).  The workspace is one array: rows A and B of
- * all parts (the chart's rates, and what an observable adds), their sums,
- * registers at this order, and what each step keeps of order 0.
+ * all parts (the chart's rates, and what an observable adds), their sums, those
+ * of the next order, registers at this order, and what each step keeps of order
+ * 0.
  *
  * Of a function w = f(u), k w_k is the convolution of j u_j with f'(u): one
  * slot; f' is made of w (Moore 1966, as in core/jet.h). */
@@ -30,6 +31,7 @@ static void course_at(struct course *c, const void *const ctx[],
                           .A = rows + k * width,
                           .B = rows + (JET_SIZE + k) * width,
                           .S = rows + 2 * JET_SIZE * width,
+                          .next = rows + (2 * JET_SIZE + 1) * width,
                           .k = jet_number[k],
                           .inverse = jet_inverse[k] };
     if (of->odd) /* nobody's */
@@ -278,8 +280,11 @@ static inline void sums_of_first(const struct course *c, size_t k, size_t width)
                                                                                \
         if (c->first)                                                          \
             sums_of_first(c, k, width);                                        \
+        else if (k % 2)                                                        \
+            sums_ended(k, width, a, b, c->S, c->next);                         \
         else                                                                   \
-            sums(k, width, width - (JET_LANES > 2 && part->odd), a, b, c->S);  \
+            sums(k, width, width - (JET_LANES > 2 && part->odd), a, b, c->S,   \
+                 c->next);                                                     \
         for (const struct jet_op *o = &c->p->op[part->op];                     \
              o < &c->p->op[part->ops]; o++)                                    \
             *at(here.reg, o->out) = entry(&here, o);                           \

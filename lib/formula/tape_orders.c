@@ -339,7 +339,7 @@ static void add_part(struct orders *o, int i, int *used)
     part->odd = o->slots % 2;
     part->width = o->slots + part->odd;
     part->rows = *used;
-    *used += (2 * JET_SIZE + 1) * part->width;
+    *used += (2 * JET_SIZE + 2) * part->width;
 }
 
 bool tape_jet_slots(struct tape_plane *p)
