@@ -36,7 +36,6 @@ struct landing {
     double start;                       /* what rounding moves its start by */
     double start_time, start_slip;      /* by as much along it */
     double across; /* how far off the orbit it is by now, at most */
-    double before; /* and was at the start of the last step */
     double time_error, slip_error; /* rounding of what it gained */
     double mu;         /* friction where it is, if peaks are asked for */
     double mu_least;   /* the largest so far is this at least */

@@ -310,7 +310,7 @@ static void keep(struct bundle *b, int l, const struct steps *m)
     struct landing *at = &b->at[l];
     struct landing_step *to = &at->step[at->out->steps++];
     double place = 0.0;
-    const double before = at->before = at->across;
+    const double before = at->across;
     const double across = missed(b, l, m, &place) + m->digits[l];
 
     at->across = m->left[l] * before + across;

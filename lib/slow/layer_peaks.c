@@ -60,75 +60,35 @@ static bool is_rising(const struct arc *a, const double u[], const double du[])
     return at_point(a, ahead) > at_point(a, u);
 }
 
-/* What a step of length h, which begins at u, makes of the value where it
- * ends. */
-static double value_after(const struct arc *a, const struct slider *s,
-                          struct vec2 from, double h)
-{
-    const struct ode ode = { LAYER_DIM, landing_along, s };
-    const double unit[LAYER_DIM] = { 1.0, 1.0, 1.0, 1.0 };
-    const double u[LAYER_DIM] = { from.x, from.y, 0.0, 0.0 };
-    double to[LAYER_DIM], error[LAYER_DIM];
-    struct explicit8 work;
-
-    landing_along(s, 0.0, u, work.k[0]);
-    explicit8_try(&work, &ode, 0.0, u, h, unit, 0.0, to, error);
-    return at_point(a, to);
-}
-
-/* How far off the value is that much further along, where it is largest: by
- * what is beside the start, and what a step to there misses by its halves. */
-static double error_at(const struct landing *l, const struct arc *a, double h)
-{
-    const struct slider *s = l->curve->slider;
-    const struct vec2 from = landing_place(l), way = landing_way(l);
-    const double far = TOL_ASIDE * fmin(fmax(fabs(from.x), fabs(from.y)), 1.0);
-    const struct vec2 aside = { from.x - far * way.y, from.y + far * way.x };
-    const double moves =
-        (value_after(a, s, aside, h) - value_after(a, s, from, h)) / far;
-    const double missed = landing_halve(s, from, h).across;
-    const struct vec2 m = s->block.steep;
-    const double steep = a->value == x_of ? 1.0 : m.x + m.y;
-
-    return TOL_LAYER_TRANSPORT * fabs(moves) * l->before +
-           TOL_BAR_FIRST_ORDER * steep * fabs(missed);
-}
-
 /* Where the value is largest on the step to u1, if that is neither there, where
  * it `rises`, nor more than is known: at corners polynomials are worse than
  * steps, and a shorter step to their peak tells, and on which side of it to
- * look again.  How far along, and the value; false: it is not. */
+ * look again.  False: it is not. */
 static bool crest_on(const struct landing *l, double h,
                      const struct explicit8 *stages, struct arc *a,
-                     const double u1[], bool rises, double known, double *arc,
-                     double *top)
+                     const double u1[], bool rises, double known, double *top)
 {
     const struct ode ode = { LAYER_DIM, landing_along, l->curve->slider };
     const double unit[LAYER_DIM] = { 1.0, 1.0, 1.0, 1.0 };
     struct explicit8 work = *stages;
     double u[LAYER_DIM], end[LAYER_DIM], mid[LAYER_DIM], error[LAYER_DIM];
-    double t, from = 0.0, seen = fmax(known, at_point(a, u1));
+    double t, seen = fmax(known, at_point(a, u1));
 
     memcpy(u, l->u, sizeof u);
     memcpy(end, u1, sizeof end);
     explicit8_dense(&work, &ode, 0.0, u, h, end, a->coef);
     *top = crest_of(on_arc, a, &t);
-    *arc = t * h;
     if (rises && t == 1.0)
         return false;
     for (int i = 0; i < TOL_ITERATIONS && crest_of(on_arc, a, &t) > seen; i++) {
         explicit8_try(&work, &ode, 0.0, u, t * h, unit, 0.0, mid, error);
         const double here = at_point(a, mid);
-        if (i == 0 || here > seen) {
-            *top = here;
-            *arc = from + t * h;
-        }
+        *top = i == 0 || here > seen ? here : *top;
         seen = fmax(seen, here);
         landing_along(l->curve->slider, 0.0, mid, work.k[LAST]);
         if (is_rising(a, mid, work.k[LAST])) {
             memcpy(u, mid, sizeof u);
             memcpy(work.k[0], work.k[LAST], sizeof work.k[0]);
-            from += t * h;
             h *= 1.0 - t;
             explicit8_try(&work, &ode, 0.0, u, h, unit, 0.0, end, error);
         } else {
@@ -140,19 +100,18 @@ static bool crest_on(const struct landing *l, double h,
     return true;
 }
 
-/* The largest value on the step to u1, whose places err by as much as `most` of
- * it at most, and by `rounding`. */
+/* The largest value on the step to u1, whose places err by as much as `error`
+ * of it: at a corner no less than steps are off. */
 static void raise_on(const struct landing *l, double h,
                      const struct explicit8 *stages, point_value *value,
-                     const double u1[], bool rises, double most,
-                     double rounding, struct layer_peak *p)
+                     const double u1[], bool rises, double error,
+                     struct layer_peak *p)
 {
     struct arc a = { &l->curve->slider->block, value, { 0.0 } };
-    double arc, top;
+    double top;
 
-    if (crest_on(l, h, stages, &a, u1, rises, p->value, &arc, &top) &&
-        (top > p->value || top + most > p->most))
-        layer_peak_raise(p, top, error_at(l, &a, arc) + rounding);
+    if (crest_on(l, h, stages, &a, u1, rises, p->value, &top))
+        layer_peak_raise(p, top, error);
 }
 
 /* The most that friction, from mu0 to mu1, can be on an arc of length h: it
@@ -210,10 +169,9 @@ void layer_peaks_step(struct landing *l, double h, double across,
     if (!rises)
         layer_peak_raise(&out->mu, l->mu, at_end);
     if (l->du[LAYER_X] > 0.0 && du1[LAYER_X] <= 0.0)
-        raise_on(l, h, stages, x_of, u1, false, most, rounding, &out->x);
+        raise_on(l, h, stages, x_of, u1, false, most, &out->x);
     if (most_on(block, mu0, l->mu, h) + steep * most > l->mu_least)
-        raise_on(l, h, stages, mu_of, u1, rises, steep * most, steep * rounding,
-                 &out->mu);
+        raise_on(l, h, stages, mu_of, u1, rises, steep * most, &out->mu);
 }
 
 /* ---- to come ------------------------------------------------------------- */

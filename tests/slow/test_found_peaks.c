@@ -6,8 +6,7 @@
 #include "study.h"
 
 /* It rises to the curve's, which falls, or to a peak that follows at once, or
- * is largest ahead on it, or where the orbit comes to it, or at a crest on the
- * way. */
+ * is largest ahead on it, or where the orbit comes to it. */
 static void the_largest_friction_is_as_good_as_its_own_place(void **state)
 {
     static const struct {
@@ -50,14 +49,6 @@ static void the_largest_friction_is_as_good_as_its_own_place(void **state)
           { -3.6408491174635262, -6.830000788409829 },
           0.22943776311338379,
           1e-12 },
-        { { FRICTION_LOG, THETA_LN_C_PSI, PSI_SS_SPINODAL, TIMESCALE_SPINODAL,
-            KINETICS_SINH, 0.369, 0.037988004209189859, 0.0489,
-            0.0051332600066529167, 78.79951534544621, 3.8285871755529493e-07,
-            1e-6, 0.0, 1e-6 },
-          0.34550596410827047426L,
-          { -2.6971843727115967, -7.2309886471750957 },
-          0.34678516142256927,
-          2e-8 },
     };
 
     struct fault why;
