@@ -40,6 +40,18 @@ static bool is_done(const struct plane_study *s, struct vec2 z,
                fabs(part_of(rate, 1 - axis));
 }
 
+/* Whether the rate decays by itself, J f = tr(J) f: so it does beside a line of
+ * equilibria, where J has the eigenvalue 0 along it, and not on a slow curve.
+ */
+static bool is_beside_line(const struct mat2 *m, struct vec2 f)
+{
+    const double trace = m->xx + m->yy;
+    const struct vec2 off = { m->xy * f.y - m->yy * f.x,
+                              m->yx * f.x - m->xx * f.y };
+
+    return vec2_length(off) <= TOL_SEEN * fabs(trace) * vec2_length(f);
+}
+
 /* Whether Newton's step from there, by the field and its Jacobian, is as short
  * as what is still at the fastest rate; along a line of equilibria, by the
  * Jacobian's size.  A slow plane is no resting one. */
@@ -58,7 +70,8 @@ static bool is_resting(const struct plane_study *s,
                                                 (m.xx * f.y - m.yx * f.x) /
                                                     det };
 
-    return hypot(step.x / side.x, step.y / side.y) <= TOL_PLANE_STILL;
+    return hypot(step.x / side.x, step.y / side.y) <= TOL_PLANE_STILL &&
+           (!line || is_beside_line(&m, f));
 }
 
 bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
@@ -85,6 +98,12 @@ bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
                           ? PLANE_WAY_LIMIT
                           : way_of(s, i, part_of(z, i));
     }
+    const double far[] = { fabs(z.x - system->origin.x) / s->scale.side.x,
+                           fabs(z.y - system->origin.y) / s->scale.side.y };
+    const int more = far[1] > far[0];
+    if (!rests && out->way[0] == PLANE_WAY_LIMIT &&
+        out->way[1] == PLANE_WAY_LIMIT) /* one of them goes there */
+        out->way[more] = way_of(s, more, part_of(z, more));
     return true;
 }
 

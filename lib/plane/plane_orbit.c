@@ -93,23 +93,23 @@ static struct vec2 place_of(const struct walk *w)
     return vec2_add(w->system->origin, z);
 }
 
+/* Whether states are real, and where curves are followed is behind it. */
+static bool is_far(const struct walk *w)
+{
+    return w->far > TOL_PLANE_FAR &&
+           !(w->system->axis[0].is_log || w->system->axis[1].is_log);
+}
+
 static enum status be_implicit(struct walk *w)
 {
     struct orbit_options options = orbit_defaults(w->system, w->s->kappa);
 
     options.rtol = TOL_ORBIT_RTOL;
     options.observables = 0;
-    options.max_steps = TOL_CURVE_STEPS;
+    options.max_steps = is_far(w) ? TOL_EXPLICIT_STEPS : TOL_CURVE_STEPS;
+    options.far = is_far(w);
     w->stiff = true;
     return orbit_init(&w->implicit, w->system, w->series.z, &options);
-}
-
-/* From where it left the domain, which is larger now. */
-static enum status go_further(struct walk *w)
-{
-    w->series.z = (struct vec2){ w->implicit.u[0], w->implicit.u[1] };
-    orbit_free(&w->implicit);
-    return be_implicit(w);
 }
 
 /* Whether rounding has held back so many steps outside the window that more of
@@ -134,15 +134,16 @@ static size_t returned(const struct walk *w)
 static enum status step(struct walk *w)
 {
     const struct vec2 from = place_of(w);
-    enum status status = STATUS_OK;
+    enum status status;
 
-    if (w->implicit.end == ORBIT_LEFT_DOMAIN)
-        status = go_further(w);
-    const size_t before = curve_of(w)->count;
-    if (status != STATUS_OK) {
-        w->stopped = true;
-        return status == STATUS_NO_MEMORY ? status : STATUS_OK;
+    if (w->implicit.end == ORBIT_LEFT_DOMAIN) { /* that is larger now */
+        w->series.z = (struct vec2){ w->implicit.u[0], w->implicit.u[1] };
+        orbit_free(&w->implicit);
+        w->stopped = be_implicit(w) != STATUS_OK;
+        if (w->stopped)
+            return STATUS_OK;
     }
+    const size_t before = curve_of(w)->count;
     if (w->stiff) {
         status = orbit_step(&w->implicit);
     } else {
@@ -375,16 +376,17 @@ static bool is_settled(const struct walk *w)
 }
 
 /* Whether it is beyond where orbits are followed, and does not come back: as is
- * proved, or as it goes round and round, or as far as numbers tell. */
+ * proved, or as it goes round and round, or as far as numbers tell: a stiff one
+ * by some steps more. */
 static bool has_left(struct walk *w)
 {
-    const struct planar_axis *axis = w->system->axis;
     const struct box d = w->system->domain;
-    const bool ended = w->implicit.end == ORBIT_LEFT_DOMAIN;
 
-    if (!ended && box_holds(d, place_of(w)))
+    if (w->stopped && w->stiff && is_far(w))
+        return !box_holds(w->s->system[0].domain, place_of(w));
+    if (w->implicit.end != ORBIT_LEFT_DOMAIN && box_holds(d, place_of(w)))
         return false;
-    if (w->escape.left || (ended && !axis[0].is_log && !axis[1].is_log) ||
+    if (w->escape.left ||
         plane_defined_escapes(w->plan, w->s, place_of(w), w->backward))
         return true;
     w->far *= TOL_PLANE_FAR;
@@ -443,9 +445,7 @@ static struct box domain_about(const struct planar *system, struct box window,
     const struct box d = system->domain,
                      far = box_grow(box_around(window, z), TOL_PLANE_FAR);
 
-    if (box_holds(window, z))
-        return d;
-    return box_around(box_around(d, far.lo), far.hi);
+    return box_holds(window, z) ? d : box_around(box_around(d, far.lo), far.hi);
 }
 
 enum status plane_orbit(const struct plane_study *s, struct vec2 z,

@@ -275,6 +275,23 @@ static void what_dies_out_beside_a_line_that_rests_is_told_so(void **state)
     }
 }
 
+/* Stiff orbits rest where others do, 500 windows away. */
+static void a_stiff_orbit_rests_far_out(void **state)
+{
+    struct plane_study s;
+    struct scene c;
+
+    (void) state;
+    for (int i = 0; i < 2; i++) {
+        plane_run(&s, &c,
+                  i ? "x' = 1 - x/1000; y' = -1000*(y - x)"
+                    : "x' = 1 - x/1000; y' = -(y - x)",
+                  WINDOW("[-1, 1]", "[-1, 1]"));
+        has_share(&s, "x_to_1000_y_to_1000", 1.0, 1e-12);
+        plane_end(&s, &c);
+    }
+}
+
 #define TEST(test)                                                             \
     cmocka_unit_test_setup_teardown(test, own_folder_make, own_folder_remove)
 
@@ -326,6 +343,7 @@ int main(void)
         TEST(a_positive_state_comes_back_from_below_the_doubles),
         TEST(a_positive_state_that_is_0_in_time_is_told_so),
         TEST(what_dies_out_beside_a_line_that_rests_is_told_so),
+        TEST(a_stiff_orbit_rests_far_out),
         TEST(rotations_that_attract_go_to_infinity),
     };
 
