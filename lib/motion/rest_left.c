@@ -212,14 +212,15 @@ static double panel_error(double missed, double all)
     return fmin(fabs(missed), pow(TOL_REST_QUADPACK * part, 1.5) * fabs(all));
 }
 
-/* The integrals; false where they have no end. */
+/* The integrals; false where they have no end, or rates change over less than
+ * the differences that they are made of. */
 static bool sum_up(const struct way *w, int first, double sum[PARTS])
 {
     double at = 0.0, h = TOL_REST_PANEL;
 
     for (int k = 0; k < PARTS; k++)
         sum[k] = 0.0;
-    for (int i = 0; i < TOL_BRANCH_STEPS; i++) {
+    for (int i = 0; i < TOL_BRANCH_STEPS && h > TOL_REST_DIFFERENCE; i++) {
         double more[PARTS], missed[PARTS], all[PARTS];
         sum_panel(w, at, h, more, missed);
         for (int k = 0; k < PARTS; k++)
