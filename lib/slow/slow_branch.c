@@ -10,6 +10,7 @@
 #include "rest_form.h"
 #include "room.h"
 #include "slider.h"
+#include "slow_face.h"
 #include "slow_fit.h"
 #include "slow_tolerance.h"
 
@@ -258,16 +259,14 @@ static double x_error_at_face(const struct slider *s, const struct orbit *o,
     return fmin(TOL_BAR_FIRST_ORDER * off, most) + slider_rounding(s, z);
 }
 
-/* A node is known to rounding, and so is the face of its box, the knot k:
- * what is left until there. */
+/* What is left until the face of a box, the knot k. */
 static void add_face(const struct slider *s, const struct slow_knot *k,
                      struct slow_branch *b)
 {
-    const double level = TOL_SLOW_TERMS *
-                         slider_rounding(s, (struct vec2){ k->x, k->y }) /
-                         fmax(fabs(k->x_slope), 1.0);
-    const double time = fabs(k->time[1]) * level;
-    const double slip = fabs(k->slip[1]) * level;
+    const double off =
+        slow_face_error(s, (struct vec2){ k->x, k->y }, k->x_slope);
+    const double time = fabs(k->time[1]) * off;
+    const double slip = fabs(k->slip[1]) * off;
 
     for (size_t i = 0; i < b->count; i++) {
         b->knot[i].time_bar += time;

@@ -38,9 +38,9 @@
  * good as linear (and a runaway TOL_SERIES_RADIUS_MAX far in ln psi: fields
  * next to the separatrix need no more). */
 
-/* Terms that round: of the field (a coordinate by TOL_ROUNDING); and of
- * the face of a box of arrest, its node and the origin, whose difference is
- * rounded, and the field's zero. */
+/* Terms that round: of the field (a coordinate by TOL_ROUNDING); and, where an
+ * orbit meets a box of arrest off the slow curve, of the face: its node and the
+ * origin, whose difference is rounded, and the field's zero. */
 #define TOL_SLOW_TERMS 2.0
 
 /* The fast layer (layer_lanes.c, landing.c): landing distance, TOL_NEARBY, and
