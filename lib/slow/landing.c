@@ -342,8 +342,8 @@ static bool land(struct landing *l, double y, const struct slow_point *p,
     out->way_slip_error = bar.more + unsaid;
     out->time = time;
     out->slip = slip;
-    out->time_error = bar.time + late + p->time_error + wait;
-    out->slip_error = bar.slip + long_ + p->slip_error + waste;
+    out->time_error = bar.time + late + (p->time_error - p->time_less) + wait;
+    out->slip_error = bar.slip + long_ + (p->slip_error - p->slip_less) + waste;
     out->x_end_error = p->x_end_error + left * p->end_aside;
     return true;
 }

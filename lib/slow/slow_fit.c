@@ -336,18 +336,23 @@ static double rounding_of(const struct slider *s, const struct slow_knot *k,
     return slow_knot_is_fast_y(k) ? h * r * (10.0 + h * shrinks) / 32.0 : 0.0;
 }
 
-/* What a polynomial over two steps misses at the knot between is 64 times what
- * one over one step misses; but as much, at most, is noise of the slopes. */
-static double missed_of(double missed, double noise)
-{
-    return fmin(missed, TOL_SLOW_MISSED * missed + noise);
-}
-
 /* Of a number at both ends of an interval. */
 static void widen(double *from, double *to, double error)
 {
     *from = fmax(*from, error);
     *to = fmax(*to, error);
+}
+
+/* Of both intervals at a knot where a polynomial over both misses that: 64
+ * times what one over one step misses in its middle; but as much, at most, is
+ * noise of the slopes. */
+static void widen_both(struct slow_miss *before, struct slow_miss *after,
+                       double missed, double noise)
+{
+    const double part = TOL_SLOW_MISSED * missed;
+
+    widen(&before->missed, &after->missed, part);
+    widen(&before->rounded, &after->rounded, fmin(noise, missed - part));
 }
 
 /* What friction is off where the curve is `aside` in x, or as much in y as its
@@ -384,10 +389,10 @@ void slow_fit_judge(const struct slider *s, struct slow_branch *b)
         const double noise = rounding_of(s, &k[i], 0.5 * fabs(h));
         const double shift = slow_knot_shift(&k[i], x);
         const double time = fabs(k[i].time[1]), slip = fabs(k[i].slip[1]);
-        widen(&k[i].time_error, &k[i + 1].time_error,
-              missed_of(fabs(t - k[i].time[0]) + time * shift, time * noise));
-        widen(&k[i].slip_error, &k[i + 1].slip_error,
-              missed_of(fabs(l - k[i].slip[0]) + slip * shift, slip * noise));
+        widen_both(&k[i].time_miss, &k[i + 1].time_miss,
+                   fabs(t - k[i].time[0]) + time * shift, time * noise);
+        widen_both(&k[i].slip_miss, &k[i + 1].slip_miss,
+                   fabs(l - k[i].slip[0]) + slip * shift, slip * noise);
     }
     judge_friction(s, b);
     judge_peaks(b);

@@ -104,6 +104,13 @@ double slow_quintic(const double f[3], const double g[3], double h,
     return f[0] + t * (f1 + t * (f2 + t * (c3 + t * (c4 + t * c5))));
 }
 
+double slow_knot_missed(const struct slow_miss *m, double theta)
+{
+    const double t = 4.0 * theta * (1.0 - theta);
+
+    return t * (t * t * m->missed + m->rounded);
+}
+
 double slow_knot_x(const struct slow_knot *f, const struct slow_knot *g,
                    double theta, double *slope)
 {
@@ -141,10 +148,18 @@ double slow_knot_shift(const struct slow_knot *k, double dx)
     return fabs(k->fibre.y * dx / (k->fibre.x - k->fibre.y * k->x_slope));
 }
 
+/* Evenly spread over a unit of the last digit. */
+static double deviation(double rounded)
+{
+    const double size = fabs(rounded);
+
+    return (nextafter(size, HUGE_VAL) - size) / sqrt(12.0);
+}
+
 double slow_knot_digit(const struct slow_knot *k)
 {
     const bool along = isfinite(k->gap);
-    const double x = 0.5 * DBL_EPSILON * k->x, y = 0.5 * DBL_EPSILON * k->y;
+    const double x = deviation(k->x), y = deviation(k->y);
     const struct vec2 e = along ? k->fibre : (struct vec2){ 1.0, -k->x_slope };
 
     return hypot(e.x * y, e.y * x) / fabs(e.x - e.y * k->x_slope);

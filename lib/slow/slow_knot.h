@@ -10,13 +10,19 @@
 
 struct slider;
 
+/* How far off a polynomial between two knots is in the middle: it misses so
+ * much, and rounding at its ends makes so much of it. */
+struct slow_miss {
+    double missed, rounded;
+};
+
 /* One point of the orbit, an offset from the system's origin. */
 struct slow_knot {
-    double y, x, x_slope, x_bend;  /* dx/dy, d2x/dy2 */
-    double time[3], slip[3];       /* with two derivatives by y */
-    double time_error, slip_error; /* from the knot before to this one */
-    double time_bar, slip_bar;     /* from here on */
-    double beside;                 /* how far x is off, at this y */
+    double y, x, x_slope, x_bend;          /* dx/dy, d2x/dy2 */
+    double time[3], slip[3];               /* with two derivatives by y */
+    struct slow_miss time_miss, slip_miss; /* from the knot before to this */
+    double time_bar, slip_bar;             /* from here on */
+    double beside;                         /* how far x is off, at this y */
     double aside; /* and at most at any y from the knot before to this one */
     double fast;  /* |lambda|, per unit of time */
     double gap;   /* the slow rate over it; HUGE_VAL: not to land on */
@@ -65,12 +71,18 @@ double slow_knot_bend(const double f[3], const double k[3], const double g[3],
 double slow_quintic(const double f[3], const double g[3], double h,
                     double theta, double *slope);
 
+/* How far off that polynomial is at theta h, t = theta (1 - theta): what it
+ * misses is f^(6)(.)/6! (h^2 t)^3, (4 t)^3 of that in the middle; slopes and
+ * curvatures at both ends have the weights h t (1 + t) and (h t)^2/2, together,
+ * which are at most 4 t of those in the middle. */
+double slow_knot_missed(const struct slow_miss *m, double theta);
+
 /* How far off in y a state lands that is right in its slow coordinate, beside a
  * curve that is off by dx. */
 double slow_knot_shift(const struct slow_knot *k, double dx);
 
 /* What rounding its place is along the curve, in y: along the fibre, or across
- * the curve where rates are alike; at most a standard deviation. */
+ * the curve where rates are alike: a standard deviation. */
 double slow_knot_digit(const struct slow_knot *k);
 
 /* What a component of an orbit gained on its last step, whatever it was before.

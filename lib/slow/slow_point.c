@@ -16,8 +16,8 @@ static struct slow_point common(const struct slow_branch *b,
 {
     return (struct slow_point){
         .fate = b->fate,
-        .time_error = k->time_bar + next->time_error,
-        .slip_error = k->slip_bar + next->slip_error,
+        .time_error = k->time_bar + slow_knot_missed(&next->time_miss, 0.5),
+        .slip_error = k->slip_bar + slow_knot_missed(&next->slip_miss, 0.5),
         .x_slope = k->x_slope,
         .aside = next->aside,
         .fast = k->fast,
@@ -143,6 +143,10 @@ static void inside(const struct slow_branch *b, size_t i, double y,
     p->fast += t * (g->fast - f->fast);
     p->fibre.x += t * (g->fibre.x - f->fibre.x);
     p->fibre.y += t * (g->fibre.y - f->fibre.y);
+    p->time_less = slow_knot_missed(&g->time_miss, 0.5) -
+                   slow_knot_missed(&g->time_miss, t);
+    p->slip_less = slow_knot_missed(&g->slip_miss, 0.5) -
+                   slow_knot_missed(&g->slip_miss, t);
     p->time = slow_quintic(f->time, g->time, h, t, &p->time_slope);
     p->slip = slow_quintic(f->slip, g->slip, h, t, &p->slip_slope);
     add_folds(fmin(f->fast, g->fast), g, p);

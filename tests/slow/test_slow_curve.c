@@ -171,9 +171,10 @@ static void it_leads_on_where_blocks_never_quite_stop(void **state)
 static double sum_of(const struct slow_knot *k)
 {
     return k->x_slope + k->x_bend + k->aside + k->time[0] + k->time[1] +
-           k->time[2] + k->slip[0] + k->slip[1] + k->slip[2] + k->time_error +
-           k->slip_error + k->time_bar + k->slip_bar + k->mu + k->mu_error +
-           k->mu_y + k->mu_peak_error;
+           k->time[2] + k->slip[0] + k->slip[1] + k->slip[2] +
+           slow_knot_missed(&k->time_miss, 0.5) +
+           slow_knot_missed(&k->slip_miss, 0.5) + k->time_bar + k->slip_bar +
+           k->mu + k->mu_error + k->mu_y + k->mu_peak_error;
 }
 
 /* On the one y is at first and for some steps where it settles, on the other
@@ -270,8 +271,8 @@ static double missed_between(const struct slow_branch *b, double gap)
         const struct slow_knot *k = &b->knot[i], *f = k - 1;
         if (!(f->gap > gap && isfinite(f->gap) && k->time[0] > 0.1))
             continue;
-        most = fmax(most, k->time_error / k->time[0]);
-        most = fmax(most, k->slip_error / k->slip[0]);
+        most = fmax(most, slow_knot_missed(&k->time_miss, 0.5) / k->time[0]);
+        most = fmax(most, slow_knot_missed(&k->slip_miss, 0.5) / k->slip[0]);
     }
     return most;
 }

@@ -163,6 +163,40 @@ static void elsewhere_there_is_nothing(void **state)
     drop(&c, &s);
 }
 
+/* y^6 on [1, 3] by a quintic with other slopes and curvatures at its ends. */
+static double sixth_off_by(double slope, double bend, double theta)
+{
+    const double f[3] = { 1.0, 6.0 + slope, 30.0 + bend };
+    const double g[3] = { 729.0, 1458.0 - slope, 2430.0 + bend };
+    const double y = 1.0 + 2.0 * theta;
+    double ignored;
+
+    return fabs(slow_quintic(f, g, 2.0, theta, &ignored) - pow(y, 6.0));
+}
+
+static void a_polynomial_between_knots_misses_less_beside_them(void **state)
+{
+    const double missed = sixth_off_by(0.0, 0.0, 0.5);
+    const double rounded = sixth_off_by(1e3, 0.0, 0.5) - missed;
+    const double bent = missed + sixth_off_by(0.0, 1e3, 0.5);
+
+    (void) state;
+    assert_true(missed > 0.0 && rounded > 0.0);
+    for (double theta = 0.01; theta < 1.0; theta += 0.01) {
+        const struct slow_miss power = { missed, 0.0 };
+        const struct slow_miss slopes = { missed, rounded };
+        const struct slow_miss bends = { missed, bent };
+        const double told = slow_knot_missed(&power, theta);
+        CHECK(fabs(sixth_off_by(0.0, 0.0, theta) - told) < 1e-11, "%g", theta);
+        CHECK(sixth_off_by(1e3, 0.0, theta) <=
+                  slow_knot_missed(&slopes, theta) + 1e-9,
+              "%g", theta);
+        CHECK(sixth_off_by(0.0, 1e3, theta) <=
+                  slow_knot_missed(&bends, theta) + 1e-9,
+              "%g", theta);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -170,6 +204,7 @@ int main(void)
         cmocka_unit_test(inside_a_box_time_goes_on_below_zero),
         cmocka_unit_test(elsewhere_there_is_nothing),
         cmocka_unit_test(rounding_of_slopes_is_in_the_bars),
+        cmocka_unit_test(a_polynomial_between_knots_misses_less_beside_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
