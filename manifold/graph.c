@@ -54,6 +54,24 @@ void graph_ends(size_t order, size_t n, const double *const u[],
         step_of(n - i, &some)->ends(order, some, u + i, s + i, out + i);
 }
 
+/* The ratio in which terms beyond the last ones fall, of a size `last`: as
+ * these and the next do in pairs, over two orders and, where that is less than
+ * smooth, over one. */
+static double fall_of(const double u[], size_t order, double h,
+                      const struct graph_end *at, double next)
+{
+    const double before = fabs(u[order - 1]) / h, end = fabs(u[order]);
+    const double last = at->last, pairs = sqrt(last / at->before);
+    const double single = h * sqrt(fabs(u[order] / u[order - 2]));
+    const double step = end / (before + end) + next / last;
+    const double ratio = TOL_AS_BEFORE * fmax(pairs, next / last);
+
+    if (ratio > TOL_STEP_SMOOTH)
+        return ratio;
+    return fmax(ratio,
+                fmin(TOL_AS_BEFORE * fmax(single, step), TOL_STEP_SMOOTH));
+}
+
 /* Where terms fall, by `ratio`, from `last` on: what the slope and its change
  * make of the next two terms.  Where it is no series', past a kink, that is off
  * from what the slope alone makes of one, which then counts. */
@@ -89,7 +107,7 @@ struct graph_miss graph_missing(const double u[], size_t order, double s,
     const double most = TOL_STEP_BAR_NEXT * last;
     const double ratio = fabs(off) <= rounding && last == 0.0
                              ? 0.0
-                             : TOL_AS_BEFORE * fmax(end->fall, next / last);
+                             : fall_of(u, order, h, end, next);
 
     if (smooth && ratio <= TOL_STEP_SMOOTH && part > 0.5 * terms)
         return smooth_missing(order, s, end, rate, ratio);

@@ -32,16 +32,14 @@ size_t graph_expand(const struct planar *const sys[], const struct carry *carry,
 void graph_reach(size_t order, size_t n, const double *const u[],
                  const double to[], double s[]);
 
-/* A series at s, its derivatives there; the ratio in which pairs of terms fall
- * from order to order, over the last four of them (over two, those of complex
- * singularities turn by chance), and the size of the last pair, no less than
- * what the one two orders before falls to in that ratio, if they fall. */
+/* A series at s, its derivatives there; the sizes of its last two terms,
+ * together, and of those two orders before. */
 struct graph_end {
     double value, slope, bend;
-    double fall, last;
+    double last, before;
 };
 
-/* Of u[i] at s[i], i < n, order > 5, side by side. */
+/* Of u[i] at s[i], i < n, order > 3, side by side. */
 void graph_ends(size_t order, size_t n, const double *const u[],
                 const double s[], struct graph_end out[]);
 

@@ -98,16 +98,10 @@ static void ends(size_t order, size_t n, const double *const u[],
         value = value * at + c;
     }
     const jet_pair h = each_size(at), last = two_terms(&b, order, h),
-                   before = two_terms(&b, order - 2, h),
-                   first = two_terms(&b, order - 4, h);
-    const jet_pair twice =
-        each_root(jet_choose(last > 0.0, last / first, JET_PAIR(0.0)));
-    const jet_pair fallen = before * twice, fall = each_root(twice);
-    const jet_pair size =
-        jet_choose((last < first) & (fallen > last), fallen, last);
+                   before = two_terms(&b, order - 2, h);
     for (size_t l = 0; l < n; l++)
-        out[l] =
-            (struct graph_end){ value[l], slope[l], bend[l], fall[l], size[l] };
+        out[l] = (struct graph_end){ value[l], slope[l], bend[l], last[l],
+                                     before[l] };
 }
 
 const struct graph_kernels GRAPH_KERNELS = { reach, ends };

@@ -158,7 +158,7 @@ static double kink_at(const struct grower *g, double theta, double by_s,
     const struct graph_end *end = &g->dep_end;
     const double at_end = slope_off(g, end->slope, g->end.J.field.direction);
     const double n = (double) g->order, fall = pow(theta, n);
-    const double r = TOL_AS_BEFORE * end->fall;
+    const double r = TOL_AS_BEFORE * sqrt(end->last / end->before);
     const double rest =
         r < 1.0
             ? fall * end->last * (sum_of(n, r) - sum_of(n, theta * r) / theta) /
