@@ -394,4 +394,11 @@ static const struct {
       EXACT_BOTH,
       "v on a piece of an orbit that is further off where it begins than where "
       "it ends" },
+    { { FRICTION_ASINH, THETA_LN_C_PSI, PSI_SS_INVERSE, TIMESCALE_SPINODAL,
+        KINETICS_SINH, 0.369, 0.0349, 0.0489, 1e-3, 134.36, 2.1136e-07,
+        3.7155e-07, 0.455961, 1e-9 },
+      0.490428337052953586414541778L,
+      { -8.781233068887238, 9.15761739987135 },
+      EXACT_BOTH,
+      "a corner on one step, of which the terms were small by chance" },
 };

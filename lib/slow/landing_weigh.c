@@ -9,8 +9,8 @@
  * further along the curve, is not late.  blur is what is not known of t; the
  * largest is that of several estimates of e, for each of them may point another
  * way, or vanish.  Both of order 6 may be small by chance, or because terms do
- * not fall: where they are, on a step that makes more of a sum than all others
- * together, two halves of the step tell as well. */
+ * not fall: of a step that makes more of a sum than all others together, as at
+ * a corner, two halves tell as well. */
 #include "landing_weigh.h"
 
 #include <float.h>
@@ -104,31 +104,12 @@ struct parts {
     double time, slip;
 };
 
-/* Whether the largest step makes more than all others, its terms grow from
- * order 6 to 7, and both of order 6 are far smaller than those of orders 4 and
- * 7 say. */
-static bool is_doubtful(const struct sum *s, struct parts p)
-{
-    const struct landing_step *m = s->step;
-    double size[LANDING_TERMS];
-
-    if (!(2.0 * s->most > s->bar))
-        return false;
-    for (int n = 0; n < LANDING_TERMS; n++)
-        size[n] = fabs(p.time * m->time[n] + p.slip * m->slip[n]) +
-                  fabs(s->at_step.value * m->across[n]);
-    const double seventh = size[2], r = seventh / larger(size[0], size[1]);
-    const double other = seventh / size[LANDING_FOURTH];
-    return r > 1.0 && r * r * r > TOL_LAYER_UNLIKE * other &&
-           other < TOL_LAYER_FALL;
-}
-
 /* By halves of that step; *halved: the step of *e, mostly the same one. */
 static void weigh_halves(struct sum *s, const struct landing *l, struct parts p,
                          const struct landing_step **halved,
                          struct landing_halves *e)
 {
-    if (!is_doubtful(s, p))
+    if (!(2.0 * s->most > s->bar))
         return;
     if (*halved != s->step)
         *e = landing_halve(l->curve->slider, s->step->from, s->step->h);
@@ -148,7 +129,7 @@ struct landing_bar landing_weigh(const struct landing *l,
     struct sum slip = { .w = { across->slip, 0.0 }, .bar = l->slip_error };
     struct sum more = { .bar = l->slip_error + v * l->time_error };
     const struct landing_step *halved = NULL;
-    struct landing_halves e;
+    struct landing_halves e = { 0 };
 
     for (size_t k = l->out->steps; k-- > 0;) {
         const struct landing_step *m = &l->step[k];

@@ -64,13 +64,11 @@
 /* What a step of order 8 misses (landing_weigh.h): this times its terms of
  * order 6 and 7 times r^3, r the ratio in which terms fall; ten times what
  * integrals of powers have.  r^2 over the term of order 6 by those from order 4
- * on: what the latter's estimate has of the term of order 4 of an integral; the
- * largest r^3, where terms grow; and how many times as large r^3 is by terms of
- * orders 7 and 6 as by those of 7 and 4 where the step is halved. */
+ * on: what the latter's estimate has of the term of order 4 of an integral; and
+ * the largest r^3, where terms grow. */
 #define TOL_LAYER_MISSED 2.4e-3
 #define TOL_LAYER_FOURTH 0.1
 #define TOL_LAYER_FALL   30.0
-#define TOL_LAYER_UNLIKE 50.0
 
 /* How well what a step makes of a unit across is known (landing.c), as a part
  * of what it changes. */
