@@ -401,4 +401,12 @@ static const struct {
       { -8.781233068887238, 9.15761739987135 },
       EXACT_BOTH,
       "a corner on one step, of which the terms were small by chance" },
+    { { FRICTION_LOG, THETA_LN_PSI, PSI_SS_INVERSE, TIMESCALE_SLIP,
+        KINETICS_SINH, 0.369, 0.032042097185630274, 0.0489,
+        0.00020218034999703563, 634.53861848151666, 4.3982024824169315e-08,
+        1e-6, 0.49180078793184, 1e-5 },
+      0.535703490419210733562L,
+      { -11.718025399714712, 14.308433397143796 },
+      EXACT_BOTH,
+      "second derivatives of a rest held the rounded slope of its orbit" },
 };

@@ -75,8 +75,6 @@ static bool knot_at(const struct slider *s, const struct orbit *o,
                 .fast = -e.re[0] * exp(J.field.log_scale),
                 .gap = slow / -e.re[0],
                 .fibre = mat2_eigenvector(J.matrix, e.re[0]) },
-        .time_bend = -*bend * late,
-        .slip_bend = (1.0 - *bend) * v * late,
     };
     return e.im == 0.0 && e.re[0] < 0.0 && d.x < 0.0 &&
            k->at.gap < TOL_FAR_BELOW &&
@@ -147,7 +145,7 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
 static enum status extend(struct rest_curve *c)
 {
     const struct slider *s = c->slider;
-    const double h = TOL_NEARBY, d = TOL_REST_DIFFERENCE;
+    const double h = TOL_NEARBY;
     enum status status = STATUS_OK;
 
     while (status == STATUS_OK &&
@@ -155,16 +153,11 @@ static enum status extend(struct rest_curve *c)
         const struct rest_knot *last = &c->knot[c->count - 1];
         const struct rest_left gone = rest_left_between(s, last->at.x, h);
         const double x = last->at.x - h;
-        const double rise = log(rest_lag_at(s, x + d).slowness /
-                                rest_lag_at(s, x - d).slowness) /
-                            (2.0 * d);
         struct rest_knot k = { .at = point_below(s, x, &last->at) };
         k.at.time = gone.time;
         k.at.slip = gone.slip;
         k.time_bar = last->time_bar + gone.time_error;
         k.slip_bar = last->slip_bar + gone.slip_error;
-        k.time_bend = rise * k.at.time_slope;
-        k.slip_bend = (1.0 + rise) * k.at.slip_slope;
         status = push(c, &k);
     }
     return status;
@@ -230,8 +223,20 @@ static void between(const struct rest_knot *f, const struct rest_knot *g,
     p->slip = falling(x0, x1, h, theta, &p->slip_slope);
 }
 
-/* By values and slopes of three knots: beside the curve a landing is as good as
- * y is. */
+/* Of what falls nearly as a power of v: of its logarithm. */
+static double falling_bend(const double f[3], const double k[3],
+                           const double g[3], double before, double after)
+{
+    const double a = k[1] / k[0];
+    const double from[3] = { log(f[0] / k[0]), f[1] / f[0] };
+    const double to[3] = { log(g[0] / k[0]), g[1] / g[0] };
+
+    return k[0] * (a * a + slow_knot_bend(from, (double[3]){ 0.0, a }, to,
+                                          before, after));
+}
+
+/* By values and slopes of three knots: the field's own hold the orbit's slope,
+ * and psi, which settles at once, is off its curve by what that is rounded. */
 static void find_bends(struct rest_curve *c)
 {
     const size_t last = c->count - 1;
@@ -240,9 +245,18 @@ static void find_bends(struct rest_curve *c)
         const struct rest_point *k = &c->knot[i].at;
         const struct rest_point *f = &c->knot[i > 0 ? i - 1 : 2].at;
         const struct rest_point *g = &c->knot[i < last ? i + 1 : last - 2].at;
+        const double before = f->x - k->x, after = g->x - k->x;
         c->knot[i].y_bend = slow_knot_bend(
             (double[3]){ f->y, f->y_slope }, (double[3]){ k->y, k->y_slope },
-            (double[3]){ g->y, g->y_slope }, f->x - k->x, g->x - k->x);
+            (double[3]){ g->y, g->y_slope }, before, after);
+        c->knot[i].time_bend =
+            falling_bend((double[3]){ f->time, f->time_slope },
+                         (double[3]){ k->time, k->time_slope },
+                         (double[3]){ g->time, g->time_slope }, before, after);
+        c->knot[i].slip_bend =
+            falling_bend((double[3]){ f->slip, f->slip_slope },
+                         (double[3]){ k->slip, k->slip_slope },
+                         (double[3]){ g->slip, g->slip_slope }, before, after);
     }
 }
 
@@ -287,8 +301,8 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
         status = extend(c);
     if (c->count > 2) {
         look_back(c);
-        judge(c);
         find_bends(c);
+        judge(c);
     }
     return status == STATUS_NO_MEMORY || status == STATUS_STOPPED ? status
                                                                   : STATUS_OK;
