@@ -139,9 +139,8 @@ static enum status step(struct walk *w)
     if (w->implicit.end == ORBIT_LEFT_DOMAIN) { /* that is larger now */
         w->series.z = (struct vec2){ w->implicit.u[0], w->implicit.u[1] };
         orbit_free(&w->implicit);
-        w->stopped = be_implicit(w) != STATUS_OK;
-        if (w->stopped)
-            return STATUS_OK;
+        if (be_implicit(w) == STATUS_NO_MEMORY)
+            return STATUS_NO_MEMORY;
     }
     const size_t before = curve_of(w)->count;
     if (w->stiff) {
