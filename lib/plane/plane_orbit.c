@@ -139,8 +139,9 @@ static enum status step(struct walk *w)
     if (w->implicit.end == ORBIT_LEFT_DOMAIN) { /* that is larger now */
         w->series.z = (struct vec2){ w->implicit.u[0], w->implicit.u[1] };
         orbit_free(&w->implicit);
-        if (be_implicit(w) == STATUS_NO_MEMORY)
-            return STATUS_NO_MEMORY;
+        w->stopped = be_implicit(w) != STATUS_OK;
+        if (w->stopped)
+            return STATUS_OK;
     }
     const size_t before = curve_of(w)->count;
     if (w->stiff) {
@@ -154,10 +155,9 @@ static enum status step(struct walk *w)
         if (status == STATUS_NO_CONVERGENCE || w->held > TOL_MONITOR_STEPS ||
             before > returned(w) + TOL_EXPLICIT_STEPS) {
             w->stopped = !plane_defined_near(w->plan, w->s, place_of(w),
-                                             TOL_PLANE_STILL);
-            return !w->stopped && be_implicit(w) == STATUS_NO_MEMORY
-                       ? STATUS_NO_MEMORY
-                       : STATUS_OK;
+                                             TOL_PLANE_STILL) ||
+                         be_implicit(w) != STATUS_OK;
+            return STATUS_OK;
         }
     }
     if (status == STATUS_NO_MEMORY)
