@@ -457,13 +457,14 @@ bool formula_take_out(struct formula *f, int u, int x, int *out)
     if (u == x)
         return true;
     if (n.kind == FORMULA_CALL && n.function == FUNCTION_POWER &&
-        n.of[0] == x && value_of(f, n.of[1], &fuel, &exponent) &&
-        exponent >= 1) {
-        part[1] = formula_less(f, n.of[1], *out);
-        *out = formula_is(f, part[1], 0.0) ? formula_number(f, 1)
-               : formula_is(f, part[1], 1.0)
-                   ? x
-                   : formula_call(f, FUNCTION_POWER, part);
+        value_of(f, n.of[1], &fuel, &exponent) && exponent >= 1 &&
+        formula_take_out(f, n.of[0], x, out)) {
+        part[1] = formula_less(f, n.of[1], formula_number(f, 1));
+        *out = formula_times(f, *out,
+                             formula_is(f, part[1], 0.0) ? formula_number(f, 1)
+                             : formula_is(f, part[1], 1.0)
+                                 ? n.of[0]
+                                 : formula_call(f, FUNCTION_POWER, part));
         return true;
     }
     if (n.kind == FORMULA_SUM) {

@@ -113,6 +113,25 @@ static void names_are_found_and_written_once(void **state)
     assert_int_equal(formula_find(&f, "v", 1), u);
 }
 
+/* w (p v)^3 - v = v (w p (p v)^2 - 1) */
+static void factors_are_taken_out_of_powers(void **state)
+{
+    const int pv = formula_times(&f, p, v);
+    const int cube = formula_call(&f, FUNCTION_POWER, (int[]){ pv, number(3) }),
+              square =
+                  formula_call(&f, FUNCTION_POWER, (int[]){ pv, number(2) });
+    int out;
+
+    (void) state;
+    assert_true(formula_take_out(
+        &f, formula_less(&f, formula_times(&f, w, cube), v), v, &out));
+    assert_int_equal(
+        out,
+        formula_less(&f, formula_times(&f, formula_times(&f, p, square), w),
+                     number(1)));
+    assert_false(formula_take_out(&f, cube, w, &out));
+}
+
 static void a_full_graph_says_so(void **state)
 {
     (void) state;
@@ -132,6 +151,7 @@ int main(void)
                                open_graph),
         cmocka_unit_test_setup(signs_follow_from_the_form, open_graph),
         cmocka_unit_test_setup(names_are_found_and_written_once, open_graph),
+        cmocka_unit_test_setup(factors_are_taken_out_of_powers, open_graph),
         cmocka_unit_test_setup(a_full_graph_says_so, open_graph),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
