@@ -101,6 +101,14 @@ static double miss_at(const struct taylor_orbit *o, const struct series *u,
     return most;
 }
 
+/* Where all but nothing bends it, it is followed by a window more, or by as
+ * much as it has come: what is rounded over a step is small beside both. */
+static double farthest(const struct taylor_orbit *o, const struct series *u)
+{
+    return (1.0 + hypot(o->z.x / o->side.x, o->z.y / o->side.y)) /
+           size_of(o, u, 1);
+}
+
 static enum status store(struct taylor_orbit *o, const struct series *u,
                          double s)
 {
@@ -124,9 +132,7 @@ enum status taylor_orbit_step(struct taylor_orbit *o)
     expand(o, &u);
     graph_reach(o->order, 2, (const double *const[]){ u.at[0], u.at[1] },
                 (const double[]){ allowed(o, 0), allowed(o, 1) }, reach);
-    s = fmin(reach[0], reach[1]);
-    if (!(s < HUGE_VAL)) /* a polynomial: it is followed as far as a window */
-        s = 1.0 / size_of(o, &u, 1);
+    s = fmin(fmin(reach[0], reach[1]), farthest(o, &u));
     o->blurred = false;
     miss = miss_at(o, &u, s, &end);
     while (miss > 1.0) {
