@@ -65,21 +65,30 @@ static quad middle(mpfi_srcptr u)
     return out;
 }
 
-/* A node by its enclosure, where that tells it; if not, a sum that is less of
- * its first term than leaves are known to is 0. */
+static bool has_leaf(const struct formula *f, const bool needed[])
+{
+    for (int i = 0; i < f->nodes; i++)
+        if (needed[i] && f->node[i].kind == FORMULA_LEAF)
+            return true;
+    return false;
+}
+
+/* A node by its enclosure, where that tells it; if not, a sum of leaves that is
+ * less of its first term than these are known to is 0. */
 static quad enclosed(const struct formula *f, const struct formula_value leaf[],
                      int node, const quad value[])
 {
     const struct formula_node *n = &f->node[node];
-    const bool vanishes =
-        n->kind == FORMULA_SUM &&
-        fabsq(value[node]) < leaves_known * fabsq(value[n->of[0]]);
     bool needed[FORMULA_NODES] = { false };
     struct interval_graph g;
     struct fault why;
-    quad out = vanishes ? 0 : value[node];
 
     needed[node] = true;
+    formula_complete(f, needed);
+    const bool vanishes =
+        n->kind == FORMULA_SUM && has_leaf(f, needed) &&
+        fabsq(value[node]) < leaves_known * fabsq(value[n->of[0]]);
+    quad out = vanishes ? 0 : value[node];
     if (interval_graph_init(&g, f, needed, BITS) == STATUS_OK) {
         set_leaves(&g, leaf);
         if (interval_graph_run(&g, &why) == STATUS_OK &&

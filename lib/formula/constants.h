@@ -17,8 +17,8 @@ void formula_constants(const struct formula *f,
                        const struct formula_value leaf[], const bool needed[],
                        formula_real value[]);
 /* To all digits of a long double, leaves being taken as told: what loses 40
- * bits or more is enclosed in 320.  A sum that this does not tell from 0, and
- * that is below 2^-90 of its first term, is 0. */
+ * bits or more is enclosed in 320.  A sum of leaves that this does not tell
+ * from 0, and that is below 2^-90 of its first term, is 0. */
 void formula_exact_constants(const struct formula *f,
                              const struct formula_value leaf[],
                              const bool needed[], formula_real value[]);
