@@ -107,7 +107,7 @@ static enum status be_implicit(struct walk *w)
     options.rtol = TOL_ORBIT_RTOL;
     options.observables = 0;
     options.max_steps = is_far(w) ? TOL_EXPLICIT_STEPS : TOL_CURVE_STEPS;
-    options.far = is_far(w);
+    options.far = w->far > TOL_PLANE_FAR;
     w->stiff = true;
     return orbit_init(&w->implicit, w->system, w->series.z, &options);
 }

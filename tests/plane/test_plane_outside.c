@@ -276,20 +276,23 @@ static void what_dies_out_beside_a_line_that_rests_is_told_so(void **state)
 }
 
 /* Each attacks the other's supply: s falls straight to e^-1e14 where nothing
- * bends it, and one step would be that long.  And what is written with a
- * factor in its power goes where it goes without. */
+ * bends it, and one step would be that long.  What is written with a factor in
+ * its power goes where it goes without; where orbits are stiff at first they
+ * get as far as others. */
 static void a_straight_way_out_is_followed_by_the_window(void **state)
 {
     static const char *const text[] = {
         "z' = 0.15*s*z; s' = -0.3*s*z",
-        "s' = 1 - s*z^3; z' = 0.6*(s*(0.3*z)^3 - z)"
+        "s' = 1 - s*z^3; z' = 0.6*(s*(0.3*z)^3 - z)",
+        "s' = 1 - s*z^3; z' = 0.6*(s*z^3 - z)"
     };
-    static const char *const word[] = { "s_to_0", "s_to_infinity_z_to_0" };
+    static const char *const word[] = { "s_to_0", "s_to_infinity_z_to_0",
+                                        "s_to_infinity_z_to_0" };
     struct plane_study s;
     struct scene c;
 
     (void) state;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         plane_run(&s, &c, text[k],
                   "system.state={z: positive, s: positive}\n"
                   "window={z: [0.01, 10], s: [0.01, 10]}\n"
