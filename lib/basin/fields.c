@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "slider.h"
 #include "slow_tolerance.h"
 
 /* ---- the source of patches ----------------------------------------------- */

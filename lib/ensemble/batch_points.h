@@ -3,7 +3,6 @@
  * Each is a point of a sweep (sweep_point.h), and has its columns' numbers. */
 #pragma once
 
-#include "batch.h"
 #include "sweep_column.h"
 
 struct batch_points {

@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <mpfi_io.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,9 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "basin.h"
 #include "plane_border.h"
 #include "plane_branch.h"
 #include "plane_label.h"

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "plane_tolerance.h"
 #include "plane_turn.h"
 #include "taylor_orbit.h"
 #include "tolerance.h"

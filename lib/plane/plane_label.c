@@ -3,7 +3,6 @@
  * largest regions. */
 #include "plane_label.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "plane_beyond.h"

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "interval_math.h"
 #include "law_tape.h"
 #include "law_typed.h"
 #include "proof_root.h"

@@ -1,7 +1,6 @@
 #include "scene_units.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "number.h"
 #include "physical.h"

@@ -1,6 +1,5 @@
 #include "synonym.h"
 
-#include <stddef.h>
 #include <string.h>
 #include <strings.h>
 

@@ -9,7 +9,6 @@
  * that are a few roundings from the centre: its largest. */
 #include "slow_face.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "fate.h"

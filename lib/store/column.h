@@ -4,7 +4,6 @@
 
 #include <stddef.h>
 
-#include <hdf5.h>
 
 #include "axis.h"
 #include "hdf.h"

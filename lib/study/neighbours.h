@@ -13,7 +13,6 @@
  */
 #pragma once
 
-#include "record.h"
 #include "status.h"
 #include "unit.h"
 

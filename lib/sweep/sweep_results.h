@@ -2,7 +2,6 @@
  * study, described (result.h). */
 #pragma once
 
-#include "result.h"
 #include "scene.h"
 
 /* Results whose run is a struct sweep_point.  Their axes are dimensions
