@@ -81,6 +81,14 @@ slipway_status api_fault(slipway_fault *why, slipway_status status,
     return status;
 }
 
+slipway_status api_answer(slipway_fault *why, enum status s,
+                          const struct fault *fault)
+{
+    const char *text = fault && fault->text[0] ? fault->text : status_text(s);
+
+    return s == STATUS_OK ? SLIPWAY_OK : api_fault(why, api_status(s), text);
+}
+
 /* ---- scenes -------------------------------------------------------------- */
 
 slipway_status slipway_scene_new(slipway_scene **out)
@@ -142,18 +150,16 @@ slipway_status api_read(const slipway_scene *scene, struct scene *out,
     const enum status s =
         scene_read(out, scene->path, scene->set, scene->sets, &fault);
 
-    return s == STATUS_OK ? SLIPWAY_OK
-                          : api_fault(why, api_status(s), fault.text);
+    return api_answer(why, s, &fault);
 }
 
 slipway_status api_refuse_scatter(const struct scene *scene, const char *what,
                                   slipway_fault *why)
 {
-    struct fault fault;
+    struct fault fault = { "" };
     const enum status s = scene_scatter_refuse(scene, what, &fault);
 
-    return s == STATUS_OK ? SLIPWAY_OK
-                          : api_fault(why, api_status(s), fault.text);
+    return api_answer(why, s, &fault);
 }
 
 #define BIT(p) (1u << PRODUCT_##p)

@@ -51,6 +51,10 @@ slipway_axis api_axis(const struct scene *scene, int axis);
 /* What a scene of a law asks for, where it names nothing that of `knees`. */
 unsigned api_products(const struct scene *scene);
 
+/* What became of a call, with the fault's text or, without one, the status'. */
+slipway_status api_answer(slipway_fault *why, enum status s,
+                          const struct fault *fault);
+
 /* The text of a fault that the caller may not want; returns `status`. */
 slipway_status api_fault(slipway_fault *why, slipway_status status,
                          const char *text);

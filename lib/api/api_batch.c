@@ -84,10 +84,7 @@ static slipway_status open_batch(slipway_batch *b, const slipway_scene *scene,
                    name, names, &fault);
     if (status == STATUS_OK)
         status = sweep_reasons_init(&b->reasons);
-    return status == STATUS_OK
-               ? SLIPWAY_OK
-               : api_fault(why, api_status(status),
-                           fault.text[0] ? fault.text : status_text(status));
+    return api_answer(why, status, &fault);
 }
 
 slipway_status slipway_batch_open(const slipway_scene *scene,
@@ -221,9 +218,7 @@ slipway_status slipway_batch_run(slipway_batch *batch, size_t count,
         free(c.part[n].reason);
     free(c.part);
     free(c.at);
-    return status == STATUS_OK
-               ? SLIPWAY_OK
-               : api_fault(why, api_status(status), status_text(status));
+    return api_answer(why, status, NULL);
 }
 
 const char *slipway_batch_reason(const slipway_batch *batch, uint8_t reason)

@@ -55,10 +55,7 @@ static slipway_status run(slipway_plane *p, const slipway_monitor *monitor,
                                     api_monitor(monitor, &tell), &fault);
     if (s == STATUS_OK)
         s = fill_branches(p);
-    return s == STATUS_OK
-               ? SLIPWAY_OK
-               : api_fault(why, api_status(s),
-                           fault.text[0] ? fault.text : status_text(s));
+    return api_answer(why, s, &fault);
 }
 
 slipway_status slipway_plane_run(const slipway_scene *scene,

@@ -27,9 +27,7 @@ slipway_status slipway_push_open(const slipway_scene *scene,
         enum status status = push_init(&p->push, &p->scene, m, &fault);
         if (status == STATUS_OK)
             status = push_tabulate(&p->push, m);
-        if (status != STATUS_OK)
-            s = api_fault(why, api_status(status),
-                          fault.text[0] ? fault.text : status_text(status));
+        s = api_answer(why, status, &fault);
     }
     if (s == SLIPWAY_OK)
         *out = p;
@@ -98,9 +96,7 @@ slipway_status slipway_push_find(const slipway_push *push,
         const enum status status = push_scatter_find(
             &push->push, &(struct push_source){ states_of, &asked }, at, count,
             api_monitor(monitor, &tell), found);
-        s = status == STATUS_OK
-                ? SLIPWAY_OK
-                : api_fault(why, api_status(status), status_text(status));
+        s = api_answer(why, status, NULL);
     }
     for (size_t i = 0; i < count && s == SLIPWAY_OK; i++)
         answer[i] = answer_of(&found[i]);

@@ -67,7 +67,7 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
     one.products = api_products(scene);
     enum status s = scene_slope_demand(scene, scene->products, &fault);
     if (s != STATUS_OK)
-        return api_fault(why, api_status(s), fault.text);
+        return api_answer(why, s, &fault);
     s = sweep_dims_init(&study->dims, scene);
     if (s == STATUS_OK)
         s = sweep_columns_init(&study->columns, scene, &study->dims);
@@ -76,11 +76,9 @@ static slipway_status run(slipway_study *study, const slipway_monitor *monitor,
                            api_monitor(monitor, &tell));
     if (s == STATUS_OK && study->point.failed == NULL)
         s = fill_branches(study);
-    if (s != STATUS_OK)
-        return api_fault(why, api_status(s), status_text(s));
     return study->point.failed
                ? api_fault(why, SLIPWAY_NUMERICAL, study->point.failed)
-               : SLIPWAY_OK;
+               : api_answer(why, s, NULL);
 }
 
 slipway_status slipway_study_run(const slipway_scene *scene,

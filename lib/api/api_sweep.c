@@ -29,9 +29,7 @@ slipway_status slipway_sweep_run(const slipway_scene *scene,
         const enum status status =
             sweep_run(&w->sweep, &w->scene, &(struct sweep_options){ 0 },
                       api_monitor(monitor, &tell), &fault);
-        if (status != STATUS_OK)
-            s = api_fault(why, api_status(status),
-                          fault.text[0] ? fault.text : status_text(status));
+        s = api_answer(why, status, &fault);
     }
     if (s == SLIPWAY_OK)
         *out = w;
