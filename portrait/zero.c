@@ -7,11 +7,6 @@
 #include "tolerance.h"
 #include "window.h"
 
-static double component(int which, struct vec2 v)
-{
-    return which == 0 ? v.x : v.y;
-}
-
 /* What zero_value makes of a component. */
 static double zero_sign_safe(double c)
 {
@@ -35,7 +30,7 @@ static double plain_value(const struct zero *q, struct vec2 u)
     struct planar_field f;
 
     q->system->field(q->system->ctx, offset(q->system, q->box, u), &f);
-    return component(q->which, f.direction);
+    return vec2_part(f.direction, q->which);
 }
 
 /* Never 0 and never overflowing: where the component is 0, or has underflowed,

@@ -18,6 +18,12 @@ struct box {
     struct vec2 lo, hi;
 };
 
+/* Coordinate 0 or 1. */
+static inline double vec2_part(struct vec2 z, int axis)
+{
+    return axis == 0 ? z.x : z.y;
+}
+
 static inline struct vec2 vec2_add(struct vec2 u, struct vec2 v)
 {
     return (struct vec2){ u.x + v.x, u.y + v.y };

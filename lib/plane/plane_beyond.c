@@ -9,19 +9,14 @@
 
 #include "plane_tolerance.h"
 
-static double part_of(struct vec2 z, int axis)
-{
-    return axis == 0 ? z.x : z.y;
-}
-
 /* ---- one orbit ----------------------------------------------------------- */
 
 static enum plane_way way_of(const struct plane_study *s, int axis, double z)
 {
-    const double lo = part_of(s->window.box.lo, axis),
-                 hi = part_of(s->window.box.hi, axis);
+    const double lo = vec2_part(s->window.box.lo, axis),
+                 hi = vec2_part(s->window.box.hi, axis);
 
-    if (part_of(s->scale.period, axis) > 0.0)
+    if (vec2_part(s->scale.period, axis) > 0.0)
         return PLANE_WAY_UNKNOWN;
     return z > 2.0 * hi - lo   ? PLANE_WAY_UP
            : z < 2.0 * lo - hi ? PLANE_WAY_DOWN
@@ -35,9 +30,9 @@ static bool is_done(const struct plane_study *s, struct vec2 z,
 {
     const struct vec2 from = vec2_sub(z, s->system[0].origin);
 
-    return fabs(part_of(rate, axis) * part_of(from, 1 - axis)) <=
-           TOL_SAME * part_of(s->scale.side, axis) *
-               fabs(part_of(rate, 1 - axis));
+    return fabs(vec2_part(rate, axis) * vec2_part(from, 1 - axis)) <=
+           TOL_SAME * vec2_part(s->scale.side, axis) *
+               fabs(vec2_part(rate, 1 - axis));
 }
 
 /* Whether the rate decays by itself, J f = tr(J) f: so it does beside a line of
@@ -86,24 +81,24 @@ bool plane_beyond_at(const struct plane_study *s, struct vec2 z, bool backward,
     system->jacobian(system->ctx, vec2_sub(z, system->origin), &J);
     const struct planar_field f = J.field;
     for (int i = 0; i < 2; i++)
-        still[i] = fabs(part_of(f.direction, i)) * exp(f.log_scale) <=
-                   TOL_PLANE_STILL * s->kappa * part_of(s->scale.side, i);
+        still[i] = fabs(vec2_part(f.direction, i)) * exp(f.log_scale) <=
+                   TOL_PLANE_STILL * s->kappa * vec2_part(s->scale.side, i);
     const bool rests = still[0] && still[1] && is_resting(s, &J);
     if (!left && !rests)
         return false;
     *out = (struct plane_beyond){ .rests = !left };
     for (int i = 0; i < 2; i++) {
-        out->limit[i] = part_of(z, i);
+        out->limit[i] = vec2_part(z, i);
         out->way[i] = still[i] && (rests || is_done(s, z, f.direction, i))
                           ? PLANE_WAY_LIMIT
-                          : way_of(s, i, part_of(z, i));
+                          : way_of(s, i, vec2_part(z, i));
     }
     const double far[] = { fabs(z.x - system->origin.x) / s->scale.side.x,
                            fabs(z.y - system->origin.y) / s->scale.side.y };
     const int more = far[1] > far[0];
     if (!rests && out->way[0] == PLANE_WAY_LIMIT &&
         out->way[1] == PLANE_WAY_LIMIT) /* one of them goes there */
-        out->way[more] = way_of(s, more, part_of(z, more));
+        out->way[more] = way_of(s, more, vec2_part(z, more));
     return true;
 }
 
@@ -116,8 +111,9 @@ static bool same_way(const struct plane_study *s, int axis,
         arrival_from(&s->scale, (struct vec2){ a->limit[0], a->limit[1] },
                      (struct vec2){ b->limit[0], b->limit[1] });
 
-    return a->way[axis] == b->way[axis] && (a->way[axis] != PLANE_WAY_LIMIT ||
-                                            fabs(part_of(d, axis)) <= TOL_SAME);
+    return a->way[axis] == b->way[axis] &&
+           (a->way[axis] != PLANE_WAY_LIMIT ||
+            fabs(vec2_part(d, axis)) <= TOL_SAME);
 }
 
 bool plane_beyond_agree(const struct plane_study *s,
@@ -177,7 +173,7 @@ static void add_word(const struct plane_study *s, int axis,
     const size_t n = strlen(b->word);
     const double limit = plane_state(s, axis, b->limit[axis]);
     const bool none =
-        fabs(limit) <= TOL_SAME * part_of(s->scale.side, axis) && !a->is_log;
+        fabs(limit) <= TOL_SAME * vec2_part(s->scale.side, axis) && !a->is_log;
     char at[32];
 
     if (b->way[axis] == PLANE_WAY_UNKNOWN)

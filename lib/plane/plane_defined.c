@@ -10,11 +10,6 @@
 #include "jet.h"
 #include "plane_tolerance.h"
 
-static double part_of(struct vec2 z, int axis)
-{
-    return axis == 0 ? z.x : z.y;
-}
-
 /* ---- boxes --------------------------------------------------------------- */
 
 /* Of the chart; infinite states are where no number is, and a positive one that
@@ -184,7 +179,7 @@ struct leaving {
 static void box_beyond(const struct leaving *l, struct interval_double other,
                        struct interval_double box[2])
 {
-    const double at = part_of(l->z, l->axis);
+    const double at = vec2_part(l->z, l->axis);
 
     box[l->axis] = l->way > 0 ? (struct interval_double){ at, HUGE_VAL }
                               : (struct interval_double){ -HUGE_VAL, at };
@@ -249,7 +244,7 @@ static bool falls_beside(const struct leaving *l, struct interval_double other,
         last = fmax(fabs(w_rate.lo), fabs(w_rate.hi)) / fall;
         way += last * step;
     }
-    return way + last * TOL_PLANE_INFINITY * part_of(l->s->scale.side, i) <
+    return way + last * TOL_PLANE_INFINITY * vec2_part(l->s->scale.side, i) <
            room;
 }
 
@@ -259,7 +254,7 @@ static bool leaves(const struct leaving *l)
 {
     const bool log = l->s->system[0].axis[l->axis].is_log;
     const struct vec2 side = l->s->scale.side;
-    const double other = part_of(l->z, 1 - l->axis);
+    const double other = vec2_part(l->z, 1 - l->axis);
     const struct interval_double any = { -HUGE_VAL, HUGE_VAL },
                                  above = { other, HUGE_VAL },
                                  below = { -HUGE_VAL, other };
@@ -268,7 +263,7 @@ static bool leaves(const struct leaving *l)
 
     for (double part = 1.0; !out && part > (log ? TOL_SAME : TOL_SEEN);
          part *= log ? 0.1 : TOL_SEEN) {
-        const double room = part * part_of(side, 1 - l->axis);
+        const double room = part * vec2_part(side, 1 - l->axis);
         const struct interval_double strip = { other - room, other + room };
         out = only_goes_out(l, strip) || falls_beside(l, strip, room);
     }
@@ -282,10 +277,10 @@ bool plane_defined_escapes(struct interval_plan *plan,
     bool out = false;
 
     for (int i = 0; i < 2 && !out; i++) {
-        const double at = part_of(z, i);
-        const int way = at > part_of(s->window.box.hi, i)   ? 1
-                        : at < part_of(s->window.box.lo, i) ? -1
-                                                            : 0;
+        const double at = vec2_part(z, i);
+        const int way = at > vec2_part(s->window.box.hi, i)   ? 1
+                        : at < vec2_part(s->window.box.lo, i) ? -1
+                                                              : 0;
         const struct leaving l = { plan, s, z, i, way, backward ? -1 : 1 };
         out = way != 0 && leaves(&l);
     }
@@ -322,7 +317,7 @@ enum plane_defined plane_defined_along(struct interval_plan *plan,
     for (int work = 0; lo < 1.0; work++) {
         struct interval_double box[2];
         for (int i = 0; i < 2; i++) {
-            const double from = part_of(origin, i);
+            const double from = vec2_part(origin, i);
             box[i] = interval_add_double(
                 (struct interval_double){ from, from },
                 range_of(curve_component(c, piece, (size_t) i), degree, lo,

@@ -8,11 +8,6 @@
 #include "plane_patch.h"
 #include "plane_tolerance.h"
 
-static double part_of(struct vec2 z, int axis)
-{
-    return axis == 0 ? z.x : z.y;
-}
-
 /* Where fates change as one coordinate does, the other being `at`. */
 static void find_line(const struct plane_study *s, int axis, double at,
                       struct margin_line *l)
@@ -65,9 +60,9 @@ static double change_at(const struct plane_study *s, int axis,
                         struct margin_line *l, struct vec2 z, int way,
                         int8_t *label, double *error)
 {
-    const double at = part_of(z, axis),
-                 edge = part_of(way > 0 ? s->window.box.hi : s->window.box.lo,
-                                axis);
+    const double at = vec2_part(z, axis),
+                 edge = vec2_part(way > 0 ? s->window.box.hi : s->window.box.lo,
+                                  axis);
     const double door =
         axis == 1 && s->basin.shut > 0.0 ? door_at(s, l, z, way) : HUGE_VAL;
     const int8_t own = region_of(s, z, l);
@@ -122,8 +117,9 @@ static struct quantity kick_of(const struct plane_study *s, int axis,
 {
     double error;
     const double shift = shift_in_window(s, axis, l, z, &error);
-    const double bar = error + 4.0 * TOL_FAR_BELOW * TOL_ROUNDED *
-                                   (1.0 + fabs(part_of(z, axis)) + fabs(shift));
+    const double bar =
+        error + 4.0 * TOL_FAR_BELOW * TOL_ROUNDED *
+                    (1.0 + fabs(vec2_part(z, axis)) + fabs(shift));
 
     if (isnan(shift))
         return quantity_none("where fates change there is not known");
@@ -154,7 +150,7 @@ enum status plane_margin_at(const struct plane_study *s, struct vec2 z,
                                  : "the state is outside the window");
         if (!inside || label < 0)
             continue;
-        find_line(s, i, part_of(z, 1 - i), &l);
+        find_line(s, i, vec2_part(z, 1 - i), &l);
         kick[i] = kick_of(s, i, &l, z);
     }
     margin_free(&l);
