@@ -218,7 +218,7 @@ static enum status settle(const struct basin_map *m, size_t first, size_t count,
     const size_t cells = count * m->columns;
     enum status failed = STATUS_OK;
 
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 64) reduction(max : failed)
     for (size_t i = 0; i < cells; i++) {
         struct fate_told label;
         if (out[i] != REGION_UNLABELLED)
@@ -226,10 +226,7 @@ static enum status settle(const struct basin_map *m, size_t first, size_t count,
         const enum status s = labels_find(
             &m->labels, cell_offset(m, first * m->columns + i), NULL, &label);
         out[i] = label.fate;
-        if (s != STATUS_OK) {
-#pragma omp atomic write
-            failed = s;
-        }
+        failed = s > failed ? s : failed;
     }
     return failed;
 }
@@ -380,7 +377,7 @@ static enum status check_cells(const struct basin_map *m, const size_t cell[],
     for (size_t first = 0; first < count && failed == STATUS_OK;
          first += BLOCK) {
         const size_t end = first + BLOCK < count ? first + BLOCK : count;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) reduction(max : failed)
         for (size_t i = first; i < end; i++) {
             int8_t by_orbit = FATE_NONE, by_side = FATE_NONE;
             const enum status s =
@@ -388,10 +385,7 @@ static enum status check_cells(const struct basin_map *m, const size_t cell[],
             wrong[i] = by_orbit != by_side;
             if (label)
                 label[i] = by_orbit;
-            if (s != STATUS_OK) {
-#pragma omp atomic write
-                failed = s;
-            }
+            failed = s > failed ? s : failed;
         }
         if (failed == STATUS_OK && monitor_tell(monitor, "audit", end, count))
             failed = STATUS_STOPPED;

@@ -328,13 +328,10 @@ static enum status find_block(const struct push *p,
         z[i] = chart_point(p, at[i]);
     }
     enum status failed = find_cells(p, z, count, cell);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) reduction(max : failed)
     for (size_t i = 0; i < count; i++) {
         const enum status s = answer(p, at[i], &cell[i], NULL, &out[i]);
-        if (s != STATUS_OK) {
-#pragma omp atomic write
-            failed = s;
-        }
+        failed = s > failed ? s : failed;
     }
     return failed;
 }

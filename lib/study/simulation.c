@@ -15,14 +15,11 @@ static enum status run_all(struct simulation *s, const struct monitor *monitor)
     o.labels = &s->labels;
     if (monitor_tell(monitor, "transients", 0, s->runs))
         return STATUS_STOPPED;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) reduction(max : failed)
     for (size_t i = 0; i < s->runs; i++) {
         const enum status status = transient_find(
             &s->study.slider, s->scene.start[i], &o, NULL, &s->run[i]);
-        if (status != STATUS_OK) {
-#pragma omp atomic write
-            failed = status;
-        }
+        failed = status > failed ? status : failed;
     }
     return failed;
 }
