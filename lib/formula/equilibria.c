@@ -90,37 +90,41 @@ static int by_place(const void *a, const void *b)
 }
 
 static enum status open_window(struct equilibrium_search *s,
-                               const struct system_plane *p,
+                               const struct formula_system *f,
                                const struct system_window *window,
                                struct fault *why)
 {
     s->window = *window;
     for (int k = 0; k < 2; k++) {
-        s->turn[k] = p->period[k];
-        s->period[k] = (double) p->period[k];
+        s->turn[k] = f->state[k].period;
+        s->period[k] = (double) f->state[k].period;
         if (s->period[k] > 0)
             s->window.hi[k] = nextafter(window->lo[k] + s->period[k], HUGE_VAL);
-        s->is_log[k] = p->f->node[p->state[k]].positive;
+        s->is_log[k] = f->graph.node[f->state[k].node].positive;
         s->least[k] = TOL_BOX_LEAST * (s->window.hi[k] - s->window.lo[k]);
         if (!(s->window.lo[k] < s->window.hi[k]) ||
             !(fabs(s->least[k]) < 1e300))
             return snprintf(why->text, sizeof why->text,
                             "the window of %s, expected lo < hi",
-                            p->f->node[p->state[k]].name),
+                            f->graph.node[f->state[k].node].name),
                    STATUS_BAD_ARGUMENT;
     }
     return STATUS_OK;
 }
 
 static enum status search(struct equilibrium_search *s,
-                          const struct system_plane *p,
+                          const struct formula_system *f,
                           const struct system_window *window, struct fault *why)
 {
-    enum status status = open_window(s, p, window, why);
+    const int state[] = { f->state[0].node, f->state[1].node };
+    formula_real value[FORMULA_NODES] = { 0 };
+    enum status status = open_window(s, f, window, why);
 
     if (status != STATUS_OK)
         return status;
-    if (!equations_make(&s->e, p->f, p->state, p->rate, p->value))
+    for (int i = 0; i < f->parameters; i++)
+        value[f->parameter[i].node] = f->parameter[i].value;
+    if (!equations_make(&s->e, &f->graph, state, f->rate, value))
         return fault_set(why, STATUS_BAD_ARGUMENT,
                          "the equations have more than %d parts",
                          FORMULA_NODES);
@@ -140,10 +144,10 @@ static enum status search(struct equilibrium_search *s,
     return search_boxes(s);
 }
 
-enum status system_plane_equilibria(const struct system_plane *p,
-                                    const struct system_window *window,
-                                    struct system_equilibria *out,
-                                    struct fault *why)
+enum status system_equilibria_find(const struct formula_system *f,
+                                   const struct system_window *window,
+                                   struct system_equilibria *out,
+                                   struct fault *why)
 {
     struct equilibrium_search *s = calloc(1, sizeof *s);
 
@@ -153,7 +157,7 @@ enum status system_plane_equilibria(const struct system_plane *p,
     out->count = out->undecided_count = 0;
     out->boxes = 0;
     s->out = out;
-    const enum status status = search(s, p, window, why);
+    const enum status status = search(s, f, window, why);
     if (status == STATUS_OK) {
         merge(s);
         qsort(out->equilibrium, (size_t) out->count, sizeof *out->equilibrium,
@@ -163,22 +167,4 @@ enum status system_plane_equilibria(const struct system_plane *p,
     free(s->left.at);
     free(s);
     return status;
-}
-
-enum status system_equilibria_find(const struct formula_system *s,
-                                   const struct system_window *window,
-                                   struct system_equilibria *out,
-                                   struct fault *why)
-{
-    formula_real value[FORMULA_NODES] = { 0 };
-    struct system_plane p = { .f = &s->graph, .value = value };
-
-    for (int i = 0; i < s->parameters; i++)
-        value[s->parameter[i].node] = s->parameter[i].value;
-    for (int k = 0; k < 2; k++) {
-        p.state[k] = s->state[k].node;
-        p.rate[k] = s->rate[k];
-        p.period[k] = s->state[k].period;
-    }
-    return system_plane_equilibria(&p, window, out, why);
 }

@@ -67,15 +67,3 @@ struct system_equilibria {
 MUST_CHECK enum status system_equilibria_find(
     const struct formula_system *s, const struct system_window *window,
     struct system_equilibria *out, struct fault *why);
-
-/* As above for any graph: two leaves that are states, their rates, the values
- * of the other leaves by node, and the periods of angles, else 0. */
-struct system_plane {
-    const struct formula *f; /* borrowed */
-    int state[2], rate[2];
-    const formula_real *value; /* borrowed */
-    formula_real period[2];
-};
-MUST_CHECK enum status system_plane_equilibria(
-    const struct system_plane *p, const struct system_window *window,
-    struct system_equilibria *out, struct fault *why);
