@@ -312,9 +312,8 @@ static const char *read_word(const struct option *row, const char *text)
 {
     char before[64], list[128], after[160];
 
-    for (size_t i = 0; row->words[i]; i++)
-        if (strcmp(text, row->words[i]) == 0)
-            return row->words[i];
+    if (text_index(text, row->words) >= 0)
+        return row->words[text_index(text, row->words)];
     snprintf(before, sizeof before, "--%s ", row->name);
     text_list(row->words, list, sizeof list);
     snprintf(after, sizeof after, ": expected %s", list);

@@ -20,19 +20,12 @@ static const char *const label_heads[] = { "dig_", "digits_lost_", NULL };
 
 /* ---- the header ---------------------------------------------------------- */
 
-static bool is_listed(const char *name, const char *const *list)
-{
-    while (*list && strcmp(name, *list) != 0)
-        list++;
-    return *list != NULL;
-}
-
 static bool is_label(const char *name)
 {
     for (size_t i = 0; label_heads[i]; i++)
         if (strncmp(name, label_heads[i], strlen(label_heads[i])) == 0)
             return true;
-    return is_listed(name, labels);
+    return text_index(name, labels) >= 0;
 }
 
 static size_t find_column(const struct table *t, const char *name, size_t size)
@@ -99,7 +92,7 @@ static enum status read_header(struct expected *s, struct fault *why)
         if (number)
             s->column[s->columns++] =
                 (struct expected_column){ number, i, EXPECTED_NO_COLUMN };
-        else if (!is_label(name) && !is_listed(name, inputs_of(s)) &&
+        else if (!is_label(name) && text_index(name, inputs_of(s)) < 0 &&
                  tolerance_of(s, name) == EXPECTED_NO_COLUMN)
             return blame_name(s, table_header(t, i), why);
     }

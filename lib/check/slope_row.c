@@ -14,15 +14,6 @@ const char *const slope_row_columns[] = {
     "eps2",    "c",    "R",     "V_c",    "alpha",     NULL
 };
 
-/* The cell of a row to blame for what it lacks. */
-static const struct table_cell *some_cell(const struct table *t, size_t row,
-                                          const char *name)
-{
-    const struct table_cell *cell = table_find(t, row, name);
-
-    return cell ? cell : table_at(t, row, 0);
-}
-
 /* The number in a cell; STATUS_BAD_SCENE blames the column `name`. */
 static enum status slope_row_number(const struct table *t,
                                     const struct table_cell *cell,
@@ -55,13 +46,13 @@ static enum status read_word(const struct table *t, size_t row,
                              unsigned *code, struct fault *why)
 {
     const struct table_cell *cell = table_find(t, row, name);
+    const int i = cell ? text_index(cell->text, words) : -1;
     char list[128];
 
-    for (unsigned i = 0; cell && words[i]; i++)
-        if (strcmp(words[i], cell->text) == 0) {
-            *code = i;
-            return STATUS_OK;
-        }
+    if (i >= 0) {
+        *code = (unsigned) i;
+        return STATUS_OK;
+    }
     text_list(words, list, sizeof list);
     if (cell == NULL)
         return place_blame(table_place(t, table_at(t, row, 0)), why,
@@ -197,7 +188,8 @@ static enum status read_material(const struct table *t, size_t row,
 static enum status check_laws(const struct table *t, size_t row,
                               const struct slope_row *s, struct fault *why)
 {
-    const struct place at = table_place(t, some_cell(t, row, "law"));
+    const struct table_cell *law = table_find(t, row, "law");
+    const struct place at = table_place(t, law ? law : table_at(t, row, 0));
     struct fault reason;
 
     for (size_t i = 0; i < s->laws; i++) {

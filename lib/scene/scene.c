@@ -289,7 +289,6 @@ static enum status check_all(scene_check *const check[],
     return status;
 }
 
-/* Formulas blame words as they are typed. */
 /* Sections that are for laws. */
 static enum status refuse_others(const struct node *root, struct fault *why)
 {
@@ -300,10 +299,7 @@ static enum status refuse_others(const struct node *root, struct fault *why)
 
     for (size_t i = 0; i < root->count; i++) {
         const struct node *n = root->child[i];
-        const char *const *k = known;
-        while (*k && strcmp(*k, n->key) != 0)
-            k++;
-        if (*k == NULL)
+        if (text_index(n->key, known) < 0)
             return place_blame(n->key_at, why,
                                "%s: not beside system, expected one of the two",
                                text_shown(n->key).text);
@@ -311,6 +307,7 @@ static enum status refuse_others(const struct node *root, struct fault *why)
     return STATUS_OK;
 }
 
+/* Formulas blame words as they are typed. */
 static enum status take_system(struct node *root, struct scene *s,
                                struct fault *why)
 {
@@ -321,7 +318,6 @@ static enum status take_system(struct node *root, struct scene *s,
         status = refuse_others(root, &raw);
     if (status == STATUS_OK)
         status = scene_system_take(root, s, &raw);
-
     if (status != STATUS_OK)
         text_show(raw.text, why->text, sizeof why->text);
     return status;

@@ -56,11 +56,7 @@ enum status scene_parameter_keys(struct scene *s, const struct node *of,
 
 bool scene_parameter_is(const struct scene *s, const char *key)
 {
-    char *const *known = s->parameter_key;
-
-    while (*known && strcmp(*known, key) != 0)
-        known++;
-    return *known != NULL;
+    return text_index(key, (const char *const *) s->parameter_key) >= 0;
 }
 
 enum status scene_parameter_set(struct formula_system *f, const char *key,

@@ -36,10 +36,7 @@ static enum status check_push_keys(const struct node *n, struct fault *why)
     };
 
     for (size_t i = 0; i < n->count; i++) {
-        int word = 0;
-        while (known[word] && strcmp(known[word], n->child[i]->key) != 0)
-            word++;
-        if (known[word] == NULL)
+        if (text_index(n->child[i]->key, known) < 0)
             return place_blame(n->child[i]->key_at, why,
                                "ensemble.pushes: unknown key '%s', expected v "
                                "and psi, or from: creep and kick",

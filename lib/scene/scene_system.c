@@ -65,9 +65,8 @@ static enum status expect_key(const struct node *n, const char *section,
 {
     char list[160];
 
-    for (const char *const *w = words; *w; w++)
-        if (strcmp(*w, n->key) == 0)
-            return STATUS_OK;
+    if (text_index(n->key, words) >= 0)
+        return STATUS_OK;
     const char *near = spell_nearest(n->key, words);
     text_list(words, list, sizeof list);
     return place_blame(n->key_at, why, "unknown key '%s.%s', expected %s%s%s%s",

@@ -129,13 +129,13 @@ const struct schema_key schema_table[] = {
     { "material.V_c", AT(material.V_c), POSITIVE, UNIT("V_star"),
       TEXT("cut-off slip rate; kato_tullis needs it, no other law has it") },
 
-    { "slope.alpha", value_alpha, ABOVE(0.0), BELOW(M_PI_2), .side = 1,
+    { "slope.alpha", value_slope, ABOVE(0.0), BELOW(M_PI_2), .side = 1,
       .expected = "an angle in rad, 0 < alpha < pi/2", UNIT("rad"),
       TEXT("slope angle") },
-    { "slope.alpha_deg", value_alpha_deg, ABOVE(0.0), BELOW(90.0), .side = 2,
+    { "slope.alpha_deg", value_slope, ABOVE(0.0), BELOW(90.0), .side = 2,
       .expected = "an angle in degrees, 0 < alpha_deg < 90", UNIT("degree"),
       TEXT("the same in degrees") },
-    { "slope.tan_alpha", value_tan_alpha, ABOVE(0.0), TO(DBL_MAX), .side = 3,
+    { "slope.tan_alpha", value_slope, ABOVE(0.0), TO(DBL_MAX), .side = 3,
       .expected = "a number > 0",
       TEXT("its tangent, shear over normal stress") },
 

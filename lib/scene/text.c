@@ -92,6 +92,14 @@ struct text_shown text_shown(const char *text)
     return shown;
 }
 
+int text_index(const char *text, const char *const *words)
+{
+    for (int i = 0; words[i]; i++)
+        if (strcmp(text, words[i]) == 0)
+            return i;
+    return -1;
+}
+
 void text_list(const char *const *words, char *out, size_t size)
 {
     size_t used = 0;

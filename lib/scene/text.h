@@ -22,5 +22,8 @@ struct text_shown {
 };
 struct text_shown text_shown(const char *text);
 
+/* Which of a NULL-ended list it is; -1: none. */
+int text_index(const char *text, const char *const *words);
+
 /* "a, b or c" of a NULL-ended list, cut at size - 1. */
 void text_list(const char *const *words, char *out, size_t size);

@@ -18,7 +18,7 @@ static bool is_in_degrees(const struct schema_key *key, const struct node *n)
 {
     double x;
 
-    return key->read == value_alpha && n->kind == NODE_SCALAR &&
+    return strcmp(key->path, "slope.alpha") == 0 && n->kind == NODE_SCALAR &&
            number_read(n->text, &x) && x > 0.0 && x < 90.0;
 }
 
@@ -235,10 +235,7 @@ VALUE_READER(value_figure)
 /* -1 if n is none of the words. */
 static int code_of(const struct node *n, const char *const *words)
 {
-    for (int i = 0; n->kind == NODE_SCALAR && words[i]; i++)
-        if (strcmp(n->text, words[i]) == 0)
-            return i;
-    return -1;
+    return n->kind == NODE_SCALAR ? text_index(n->text, words) : -1;
 }
 
 VALUE_READER(value_choice)
@@ -320,58 +317,37 @@ VALUE_READER(value_preset)
 
 static const long double pi = 3.141592653589793238462643383279502884L;
 
-static void set_alpha(struct scene *s, double rad)
+/* Steep slopes in degrees from what is left to 90, which is exact. */
+static void set_slope(const struct schema_key *key, double given,
+                      struct scene *s)
 {
-    s->slope_in = ANGLE_RAD;
-    s->slope_given = s->alpha = rad;
-    s->tan_alpha = tanl((long double) rad);
+    const long double x = (long double) given, degree = pi / 180;
+
+    s->slope_in = (enum unit_angle)(key->side - 1);
+    s->slope_given = s->alpha = given;
+    switch (s->slope_in) {
+        case ANGLE_RAD:
+            s->tan_alpha = tanl(x);
+            break;
+        case ANGLE_DEGREE:
+            s->alpha = (double) (x * degree);
+            s->tan_alpha =
+                x <= 45 ? tanl(x * degree) : 1 / tanl((90 - x) * degree);
+            break;
+        case ANGLE_TAN:
+            s->alpha = atan(given);
+            s->tan_alpha = x;
+    }
 }
 
-/* Steep slopes from the angle that is left to 90 degrees, which is exact. */
-static void set_alpha_deg(struct scene *s, double degrees)
-{
-    const long double x = (long double) degrees, rad = pi / 180;
-
-    s->slope_in = ANGLE_DEGREE;
-    s->slope_given = degrees;
-    s->alpha = (double) (x * rad);
-    s->tan_alpha = x <= 45 ? tanl(x * rad) : 1 / tanl((90 - x) * rad);
-}
-
-static void set_tan_alpha(struct scene *s, double x)
-{
-    s->slope_in = ANGLE_TAN;
-    s->slope_given = x;
-    s->alpha = atan(x);
-    s->tan_alpha = (long double) x;
-}
-
-static enum status read_slope(const struct schema_key *key,
-                              const struct node *n, struct scene *s,
-                              void (*set)(struct scene *, double),
-                              struct fault *why)
+VALUE_READER(value_slope)
 {
     double x;
 
     if (!value_is_number(key, n, &x))
         return value_refuse(key, n, why);
-    set(s, x);
+    set_slope(key, x, s);
     return STATUS_OK;
-}
-
-VALUE_READER(value_alpha)
-{
-    return read_slope(key, n, s, set_alpha, why);
-}
-
-VALUE_READER(value_alpha_deg)
-{
-    return read_slope(key, n, s, set_alpha_deg, why);
-}
-
-VALUE_READER(value_tan_alpha)
-{
-    return read_slope(key, n, s, set_tan_alpha, why);
 }
 
 /* ---- keys of a sweep ----------------------------------------------------- */
@@ -379,20 +355,15 @@ VALUE_READER(value_tan_alpha)
 bool value_is_real(const struct schema_key *key)
 {
     return (key->read == value_real && strncmp(key->path, "sweep.", 6) != 0) ||
-           key->read == value_alpha || key->read == value_alpha_deg ||
-           key->read == value_tan_alpha;
+           key->read == value_slope;
 }
 
 bool value_set(const struct schema_key *key, double x, struct scene *s)
 {
     if (!in_range(key, x))
         return false;
-    if (key->read == value_alpha)
-        set_alpha(s, x);
-    else if (key->read == value_alpha_deg)
-        set_alpha_deg(s, x);
-    else if (key->read == value_tan_alpha)
-        set_tan_alpha(s, x);
+    if (key->read == value_slope)
+        set_slope(key, x, s);
     else
         *(double *) member(s, key) = x;
     return true;

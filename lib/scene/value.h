@@ -25,9 +25,7 @@ VALUE_READER(value_part);       /* the same, or a formula (scene_law.h) */
 VALUE_READER(value_formula);    /* one of these only: no member */
 VALUE_READER(value_state);      /* a word, read elsewhere or but the default */
 VALUE_READER(value_preset);     /* law, but its form */
-VALUE_READER(value_alpha);      /* alpha and tan_alpha, of rad, */
-VALUE_READER(value_alpha_deg);  /* degrees */
-VALUE_READER(value_tan_alpha);  /* and the tangent */
+VALUE_READER(value_slope);      /* alpha and tan_alpha, by `side` - 1 */
 VALUE_READER(value_products);   /* products, from a list of words */
 VALUE_READER(value_xi);         /* xi, xi_count; each in the key's range */
 VALUE_READER(value_slopes);     /* rabinowicz.tan_alpha, slopes */
