@@ -340,7 +340,10 @@ static enum status cut(struct plane_study *s)
     return status;
 }
 
-bool plane_border_is_weak(const struct plane_study *s)
+/* Whether something may neither attract nor repel, or both: around a centre
+ * orbits are held in by unstable manifolds, too, which are borders then, and
+ * half of what is next to a fold goes there. */
+static bool is_weak(const struct plane_study *s)
 {
     bool weak = !s->complete || s->broken;
 
@@ -369,7 +372,7 @@ static enum status add_manifold(struct plane_study *s, size_t of)
 
 enum status plane_border_find(struct plane_study *s)
 {
-    const bool all = plane_border_is_weak(s);
+    const bool all = is_weak(s);
     enum status status = STATUS_OK;
 
     for (size_t i = 0; i + 1 < s->branches && status == STATUS_OK; i++)

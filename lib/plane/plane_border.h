@@ -12,10 +12,5 @@ MUST_CHECK enum status plane_border_look(struct plane_study *s, size_t rests,
 MUST_CHECK enum status plane_border_look_from(struct plane_study *s,
                                               struct vec2 z);
 
-/* Whether something may neither attract nor repel, or both: around a centre
- * orbits are held in by unstable manifolds, too, which are borders then, and
- * half of what is next to a fold goes there. */
-bool plane_border_is_weak(const struct plane_study *s);
-
 /* Fills s->basin.border and cuts.  STATUS_NO_MEMORY. */
 MUST_CHECK enum status plane_border_find(struct plane_study *s);

@@ -38,6 +38,19 @@ static void add_type(struct plane_table *t)
         plane_type_names;
 }
 
+/* Scalars of each. */
+static void add_rest(struct plane_table *t, const struct record_type *type,
+                     const char *name)
+{
+    struct result *r = plane_table_result(t, type, 0);
+
+    r->name = name;
+    r->shape = RESULT_SCALARS;
+    r->fewer = fewer;
+    r->count = count_rests;
+    r->view = view_rest;
+}
+
 static void add_rests(const struct plane_study *s, struct plane_table *t)
 {
     size_t first = t->fields;
@@ -49,21 +62,11 @@ static void add_rests(const struct plane_study *s, struct plane_table *t)
     r = plane_table_result(t, brief, 0);
     r->name = "equilibria";
     r->view = view_none;
-    r = plane_table_result(t, brief, 0);
-    r->name = "equilibria[K]";
-    r->shape = RESULT_SCALARS;
-    r->fewer = fewer;
-    r->count = count_rests;
-    r->view = view_rest;
+    add_rest(t, brief, "equilibria[K]");
     first = t->fields;
     plane_table_states(s, t, "*", RECORD_QUANTITY, REST(state));
-    r = plane_table_result(
-        t, plane_table_type(t, first, "state", "where", sizeof *s->rest), 0);
-    r->name = "equilibria[K].state";
-    r->shape = RESULT_SCALARS;
-    r->fewer = fewer;
-    r->count = count_rests;
-    r->view = view_rest;
+    add_rest(t, plane_table_type(t, first, "state", "where", sizeof *s->rest),
+             "equilibria[K].state");
     first = t->fields;
     plane_table_field(t, "re", RECORD_QUANTITY,
                       offsetof(struct plane_lambda, re), "real part");
@@ -81,18 +84,25 @@ static void add_rests(const struct plane_study *s, struct plane_table *t)
     r->view = view_lambda;
 }
 
+/* The parts of both eigenvalues, from the offset `at` on. */
+static void add_parts(struct plane_table *t, size_t at)
+{
+    static const char *const part[] = { "re_0", "im_0", "re_1", "im_1" };
+
+    for (size_t i = 0; i < 4; i++)
+        plane_table_field(t, part[i], RECORD_QUANTITY,
+                          at + i * sizeof(struct quantity),
+                          "part of an eigenvalue");
+}
+
 /* The same as columns. */
 static void add_rest_columns(const struct plane_study *s, struct plane_table *t)
 {
-    static const char *const part[] = { "re_0", "im_0", "re_1", "im_1" };
     const size_t first = t->fields;
 
     add_type(t);
     plane_table_states(s, t, "*", RECORD_QUANTITY, REST(state));
-    for (size_t i = 0; i < 4; i++)
-        plane_table_field(t, part[i], RECORD_QUANTITY,
-                          REST(lambda) + i * sizeof(struct quantity),
-                          "part of an eigenvalue");
+    add_parts(t, REST(lambda));
     struct result *r =
         plane_table_result(t,
                            plane_table_type(t, first, "equilibrium",
@@ -143,17 +153,13 @@ RESULT_VIEW(view_slopes, plane_study, s->slope, s->listed)
 /* By each parameter one result in JSON, one in files. */
 static void add_slopes(const struct plane_study *s, struct plane_table *t)
 {
-    static const char *const part[] = { "re_0", "im_0", "re_1", "im_1" };
     const size_t each = parameters_of(s);
 
     for (size_t p = 0; p < each; p++) {
         const char *name = s->scene->system->parameter[p].name;
         const size_t at = p * sizeof *s->slope, first = t->fields;
         plane_table_states(s, t, "*", RECORD_QUANTITY, at);
-        for (size_t i = 0; i < 4; i++)
-            plane_table_field(t, part[i], RECORD_QUANTITY,
-                              at + (2 + i) * sizeof(struct quantity),
-                              "part of an eigenvalue");
+        add_parts(t, at + 2 * sizeof(struct quantity));
         const struct record_type *type =
             plane_table_type(t, first, "sensitivity",
                              plane_table_keep(t, "derivatives by %s", name),

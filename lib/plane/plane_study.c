@@ -94,9 +94,10 @@ static void set_window(struct plane_study *s)
                                                    period_of(s, 1) } };
 }
 
-/* Where a fault was met: at all of so many places. */
-static void tell_place(const struct plane_study *s, int places,
-                       struct fault *why)
+enum { PLACES = 20 };
+
+/* Where a fault was met: at all of them. */
+static void tell_place(const struct plane_study *s, struct fault *why)
 {
     const struct box w = s->window.box;
     const struct vec2 z = vec2_scale(0.5, vec2_add(w.lo, w.hi));
@@ -106,14 +107,13 @@ static void tell_place(const struct plane_study *s, int places,
              "%.300s at %s = %g, %s = %g, nor at %d other places of the window",
              what.text, s->scene->system->state[0].name, plane_state(s, 0, z.x),
              s->scene->system->state[1].name, plane_state(s, 1, z.y),
-             places - 1);
+             PLACES - 1);
 }
 
 /* About the middle of the window, or about another place where all formulas
  * have values. */
 static enum status set_anchor(struct plane_study *s, struct fault *why)
 {
-    enum { PLACES = 20 };
     const struct box w = s->window.box;
     enum status status = STATUS_BAD_SCENE;
 
@@ -124,7 +124,7 @@ static enum status set_anchor(struct plane_study *s, struct fault *why)
         status = plane_study_about(s, false, at, s->plane, s->system, why);
     }
     if (status == STATUS_BAD_SCENE)
-        tell_place(s, PLACES, why);
+        tell_place(s, why);
     return status;
 }
 
