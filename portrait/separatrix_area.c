@@ -1,9 +1,8 @@
 /* Gauss-Legendre panels of two orders. */
-#include "strand.h"
-
 #include <float.h>
 #include <math.h>
 
+#include "strand.h"
 #include "tolerance.h"
 
 /* Gauss-Legendre nodes and weights on [-1, 1], Abramowitz & Stegun 25.4.30,
@@ -178,4 +177,23 @@ double separatrix_area(const struct separatrix *s, size_t i, double from,
     }
     *error = fmin(*error, whole);
     return sum;
+}
+
+/* ---- a measure of the plane ---------------------------------------------- */
+
+/* c itself, or e^c in units. */
+static double measure_at(const struct measure *m, int axis, double c)
+{
+    return m->exponential[axis] ? exp(c - m->log_unit[axis]) : c;
+}
+
+double measure_between(const struct measure *m, int axis, double lo, double hi)
+{
+    return m->exponential[axis] ? -measure_at(m, axis, hi) * expm1(lo - hi)
+                                : hi - lo;
+}
+
+double measure_weight(const struct measure *m, int axis, double c)
+{
+    return m->exponential[axis] ? measure_at(m, axis, c) : 1.0;
 }
