@@ -93,15 +93,6 @@ static uint8_t *mark_of(const struct tracer *t, struct edge e)
     return &t->done[e.j * t->r->nx + e.i];
 }
 
-static enum status push(struct stroke *s, struct vec2 p)
-{
-    const enum status status = ROOM_FOR(s->at, s->room, s->count + 1);
-
-    if (status == STATUS_OK)
-        s->at[s->count++] = p;
-    return status;
-}
-
 /* From an edge into the square on one side of it, on and on until there is no
  * way or the line was there. */
 static enum status follow(const struct tracer *t, struct edge e, bool ahead,
@@ -119,7 +110,7 @@ static enum status follow(const struct tracer *t, struct edge e, bool ahead,
             break;
         e = edge_of(i, j, out);
         ahead = out == 1 || out == 3;
-        status = push(s, edge_point(t, e));
+        status = stroke_push(s, edge_point(t, e));
         if (*mark_of(t, e) & (1 << e.up))
             break;
         *mark_of(t, e) |= (uint8_t) (1 << e.up);
@@ -134,11 +125,11 @@ static enum status trace_piece(const struct tracer *t, struct edge e,
     enum status status = STATUS_OK;
 
     if (s->count > 0)
-        status = push(s, (struct vec2){ (double) NAN, (double) NAN });
+        status = stroke_push(s, (struct vec2){ (double) NAN, (double) NAN });
     const size_t first = s->count;
     *mark_of(t, e) |= (uint8_t) (1 << e.up);
     if (status == STATUS_OK)
-        status = push(s, edge_point(t, e));
+        status = stroke_push(s, edge_point(t, e));
     if (status == STATUS_OK)
         status = follow(t, e, true, s);
     const struct vec2 begin = s->at[first], end = s->at[s->count - 1];

@@ -73,7 +73,7 @@ static bool name_files(struct workshop *w, const char *path, const char *base)
     return true;
 }
 
-static enum status workshop_io_fault(struct fault *fault, const char *path)
+static enum status io_fault(struct fault *fault, const char *path)
 {
     snprintf(fault->text, sizeof fault->text, "cannot write %.300s: %s", path,
              strerror(errno));
@@ -126,7 +126,7 @@ static enum status workshop_open(const char *path, struct workshop *w,
         return STATUS_NO_MEMORY;
     if (!mkdtemp(folder)) {
         free(folder);
-        return workshop_io_fault(fault, path);
+        return io_fault(fault, path);
     }
     w->folder = folder;
     litter_add(folder);
@@ -145,7 +145,7 @@ static enum status workshop_deliver(const struct workshop *w,
                                     struct fault *fault)
 {
     if (rename(w->made[which], w->goal[which]) != 0)
-        return workshop_io_fault(fault, w->goal[which]);
+        return io_fault(fault, w->goal[which]);
     return STATUS_OK;
 }
 
@@ -211,13 +211,6 @@ static bool close_file(FILE *file)
         return false;
     const bool failed = ferror(file) != 0;
     return fclose(file) == 0 && !failed;
-}
-
-static enum status io_fault(struct fault *fault, const char *path)
-{
-    snprintf(fault->text, sizeof fault->text, "cannot write %.300s: %s", path,
-             strerror(errno));
-    return STATUS_IO;
 }
 
 static enum status write_script(const struct figure *f, const struct device *d,

@@ -13,7 +13,7 @@
 
 #include "room.h"
 
-static enum status stroke_push(struct stroke *s, struct vec2 p)
+enum status stroke_push(struct stroke *s, struct vec2 p)
 {
     const enum status status = ROOM_FOR(s->at, s->room, s->count + 1);
     if (status == STATUS_OK)

@@ -14,6 +14,9 @@ struct stroke {
 
 #define STROKE_EMPTY ((struct stroke){ .at = NULL })
 
+/* One more point. */
+MUST_CHECK enum status stroke_push(struct stroke *s, struct vec2 p);
+
 /* The part of the polyline inside the box.  Where it crosses the frame it ends
  * exactly on the frame.  *out is emptied first, also on STATUS_NO_MEMORY. */
 MUST_CHECK enum status stroke_clip(const struct scale *sx,
