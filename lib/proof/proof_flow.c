@@ -85,8 +85,8 @@ struct interval proof_poly_at(size_t n, const double p[], struct interval s)
     return sum;
 }
 
-struct interval proof_poly_of(size_t n, const struct interval p[],
-                              struct interval s)
+static struct interval poly_of(size_t n, const struct interval p[],
+                               struct interval s)
 {
     struct interval sum = zero;
 
@@ -102,7 +102,7 @@ struct interval proof_poly_over(size_t n, const double p[], struct interval s)
 
     proof_points(n, p, c);
     proof_shift(n, c, middle, c);
-    return proof_poly_of(n, c, interval_less(s, middle));
+    return poly_of(n, c, interval_less(s, middle));
 }
 
 void proof_quotient(size_t n, const struct interval u[],

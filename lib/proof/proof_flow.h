@@ -31,9 +31,7 @@ void proof_flow_aside(struct interval_tape *t, int ind, struct interval at,
 /* Coefficients of p(s + t) in t. */
 void proof_shift(size_t n, const struct interval p[], struct interval s,
                  struct interval out[]);
-/* p(s), of a polynomial of doubles, too, and its coefficients as intervals. */
-struct interval proof_poly_of(size_t n, const struct interval p[],
-                              struct interval s);
+/* p(s), of a polynomial of doubles, and its coefficients as intervals. */
 struct interval proof_poly_at(size_t n, const double p[], struct interval s);
 /* The same over a box that is not thin: about its middle. */
 struct interval proof_poly_over(size_t n, const double p[], struct interval s);
