@@ -282,10 +282,10 @@ static void put_field(const struct sheet *sh, const struct record_field *f)
         hdf_close(put_members(sh, &c, f->offset));
 }
 
-static bool has_field(const struct record_type *type, const char *name)
+static bool has_n(const struct record_type *type)
 {
     for (size_t i = 0; i < type->count; i++)
-        if (strcmp(type->fields[i].name, name) == 0)
+        if (strcmp(type->fields[i].name, "n") == 0)
             return true;
     return false;
 }
@@ -293,8 +293,7 @@ static bool has_field(const struct record_type *type, const char *name)
 /* n, unless that is a field: a state may have any name. */
 static struct axis *put_index(const struct sheet *sh)
 {
-    const struct column n = { .name =
-                                  has_field(sh->a->type, "n") ? "index" : "n",
+    const struct column n = { .name = has_n(sh->a->type) ? "index" : "n",
                               .unit = "1",
                               .text = "index",
                               .kind = RECORD_COUNT };
