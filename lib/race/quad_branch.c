@@ -346,7 +346,7 @@ bool quad_branch_grow(const struct law *law, const struct quad_anchor *at,
     const quad psi = law_psi_is_log(law) ? 0 : fabsq(at->psi0);
     bool ended = false;
 
-    *out = (struct quad_branch){ .end = QUAD_TRUNCATED };
+    *out = (struct quad_branch){ .at = at, .end = QUAD_TRUNCATED };
     g.start = nearest / (1 + psi);
     if (!set_start(&g, side))
         return false;

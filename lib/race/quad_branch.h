@@ -20,6 +20,7 @@ enum quad_end {
 enum { QUAD_PATH = 512 };
 
 struct quad_branch {
+    const struct quad_anchor *at; /* borrowed: the saddle */
     enum quad_end end;
     quad x, y;   /* offsets from the saddle at the end; see quad_end */
     quad excess; /* integral of (v - v_0) dt along the branch, from its far end

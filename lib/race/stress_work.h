@@ -16,9 +16,6 @@ struct stress_work {
 /* Each returns STATUS_NO_MEMORY, or a failure of the program, of which
  * row->fault may say more. */
 
-/* The critical numbers beside the oracle's. */
-MUST_CHECK enum status stress_slope_judge(struct stress_work *w);
-
 /* The fate of the first start, by regions and by orbits, beside the side on
  * which the oracle's branches leave it. */
 MUST_CHECK enum status stress_start_judge(struct stress_work *w);

@@ -2,17 +2,131 @@
  * time, which is not part of the answer. */
 #include "workprec.h"
 
+#include <gsl/gsl_sort.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/utsname.h>
 
 #include "clock.h"
 #include "method.h"
+#include "record.h"
 #include "workprec_answer.h"
-#include "workprec_clock.h"
 #include "workprec_own.h"
 #include "workprec_tolerance.h"
 #include "workprec_track.h"
+
+/* ---- how long a piece of work takes -------------------------------------- */
+
+enum { QUESTIONS = 501 };
+
+static double median(double value[], size_t n)
+{
+    gsl_sort(value, 1, n);
+    return value[n / 2];
+}
+
+/* Seconds between two questions to the clock: their median. */
+static double workprec_clock_overhead(void)
+{
+    double gap[QUESTIONS];
+
+    for (int i = 0; i < QUESTIONS; i++) {
+        const double before = clock_seconds();
+        gap[i] = clock_seconds() - before;
+    }
+    return median(gap, QUESTIONS);
+}
+
+/* Seconds of a call of `work`, which is called for about `budget` seconds, at
+ * least once, where `once` is about what it takes.  `overhead`: of
+ * workprec_clock_overhead. */
+static double workprec_clock_time(void (*work)(void *ctx), void *ctx,
+                                  double once, double budget, double overhead)
+{
+    const double batch = fmax(1.0, ceil(WORKPREC_BATCH / once));
+    const double all = fmin(floor(budget / (once * batch)), WORKPREC_REPEATS);
+    const size_t repeats = all > 1.0 ? (size_t) all : 1;
+    double seconds[WORKPREC_REPEATS];
+
+    for (size_t i = 0; i < repeats; i++) {
+        const double start = clock_seconds();
+        for (size_t k = 0; k < (size_t) batch; k++)
+            work(ctx);
+        seconds[i] = (clock_seconds() - start - overhead) / batch;
+    }
+    return median(seconds, repeats);
+}
+
+/* ---- where times are measured -------------------------------------------- */
+
+static const struct record_type record_workprec_environment = RECORD(
+    workprec_environment, "workprec_environment", "where times were measured",
+    FIELD(workprec_environment, TEXT, cpu, "1", "processor"),
+    FIELD(workprec_environment, TEXT, system, "1", "operating system"),
+    FIELD(workprec_environment, TEXT, compiler, "1", "compiler"),
+    FIELD(workprec_environment, TEXT, flags, "1", "its optimisation flags"),
+    FIELD(workprec_environment, TEXT, gsl, "1", "version of GSL"),
+    FIELD(workprec_environment, TEXT, sundials, "1", "version of SUNDIALS"),
+    FIELD(workprec_environment, REAL, clock_overhead, "s",
+          "taken off every time measured"));
+
+/* The value of the first line "KEY : value"; false where there is none. */
+static bool read_value(FILE *in, const char *key, char out[WORKPREC_TEXT])
+{
+    char line[1024];
+
+    while (fgets(line, sizeof line, in)) {
+        const char *colon = strchr(line, ':');
+        if (strncmp(line, key, strlen(key)) != 0 || colon == NULL)
+            continue;
+        colon += 1 + strspn(colon + 1, " \t");
+        snprintf(out, WORKPREC_TEXT, "%.*s", (int) strcspn(colon, "\n"), colon);
+        return true;
+    }
+    return false;
+}
+
+static void find_cpu(struct workprec_environment *e)
+{
+    FILE *in = fopen("/proc/cpuinfo", "r");
+
+    e->cpu = e->cpu_text;
+    if (in == NULL || !read_value(in, "model name", e->cpu_text))
+        snprintf(e->cpu_text, WORKPREC_TEXT, "unknown");
+    if (in)
+        fclose(in);
+}
+
+static void find_system(struct workprec_environment *e)
+{
+    struct utsname u;
+
+    e->system = e->system_text;
+    if (uname(&u) == 0)
+        snprintf(e->system_text, WORKPREC_TEXT, "%.60s %.60s %.30s", u.sysname,
+                 u.release, u.machine);
+    else
+        snprintf(e->system_text, WORKPREC_TEXT, "unknown");
+}
+
+/* Fills *e, which must not move; what cannot be found out is "unknown". */
+static void workprec_environment_find(struct workprec_environment *e)
+{
+    *e = (struct workprec_environment){ .flags = WORKPREC_FLAGS,
+                                        .gsl = method_gsl_version(),
+                                        .sundials = method_sundials_version() };
+#ifdef __clang__
+    e->compiler = __VERSION__;
+#else
+    e->compiler = "gcc " __VERSION__;
+#endif
+    find_cpu(e);
+    find_system(e);
+    e->clock_overhead = workprec_clock_overhead();
+}
 
 enum { ENTRANTS_MOST = 32, LADDER_MOST = 16 };
 

@@ -10,12 +10,22 @@
  */
 #pragma once
 
-#include "workprec_environment.h"
 #include "workprec_plane.h"
 #include "workprec_rank.h"
 #include "workprec_task.h"
 
 #include "result.h"
+
+/* Where times were measured. */
+enum { WORKPREC_TEXT = 160 };
+
+struct workprec_environment {
+    const char *cpu, *system; /* into the texts below: must not move */
+    const char *compiler, *flags;
+    const char *gsl, *sundials;
+    double clock_overhead; /* s */
+    char cpu_text[WORKPREC_TEXT], system_text[WORKPREC_TEXT];
+};
 
 struct workprec {
     struct scene scene;          /* borrowed members */

@@ -8,12 +8,12 @@
 enum { STEPS = 768 };
 
 struct graph {
-    const struct workprec_curve *c;
+    const struct quad_branch *c;
     int ind; /* 0: y(x), 1: x(y) */
 };
 
 /* Against time. */
-void workprec_curve_tangent(const struct workprec_curve *c, const quad z[2],
+void workprec_curve_tangent(const struct quad_branch *c, const quad z[2],
                             quad n[2])
 {
     struct quad_field f;
@@ -35,13 +35,6 @@ static void graph_rates(const void *ctx, quad s, const quad u[2], quad du[2])
     workprec_curve_tangent(g->c, z, n);
     du[0] = n[1 - g->ind] / n[g->ind];
     du[1] = 0;
-}
-
-bool workprec_curve_grow(const struct law *law, const struct quad_anchor *at,
-                         int side, struct workprec_curve *c)
-{
-    c->at = at;
-    return quad_branch_grow(law, at, side, WORKPREC_CURVE_TOL, &c->branch);
 }
 
 /* The dependent coordinate where the independent one is `to`, from a knot. */
@@ -67,13 +60,13 @@ static quad follow(const struct graph *g, const quad from[2], quad to)
     return s == to ? u[0] : (quad) NAN;
 }
 
-static const quad *nearest(const struct workprec_curve *c, const quad z[2])
+static const quad *nearest(const struct quad_branch *c, const quad z[2])
 {
     const quad *best = NULL;
     quad least = (quad) HUGE_VAL;
 
-    for (size_t i = 0; i < c->branch.points; i++) {
-        const quad *at = c->branch.path[i];
+    for (size_t i = 0; i < c->points; i++) {
+        const quad *at = c->path[i];
         const quad x = z[0] - at[0], y = z[1] - at[1], size = x * x + y * y;
         if (best == NULL || size < least) {
             least = size;
@@ -83,7 +76,7 @@ static const quad *nearest(const struct workprec_curve *c, const quad z[2])
     return best;
 }
 
-double workprec_curve_distance(const struct workprec_curve *c, const quad z[2])
+double workprec_curve_distance(const struct quad_branch *c, const quad z[2])
 {
     const quad *from = nearest(c, z);
     quad n[2];
@@ -97,9 +90,9 @@ double workprec_curve_distance(const struct workprec_curve *c, const quad z[2])
     return isnan(off) ? HUGE_VAL : off;
 }
 
-quad workprec_curve_cross(const struct workprec_curve *c, size_t before, quad y)
+quad workprec_curve_cross(const struct quad_branch *c, size_t before, quad y)
 {
     const struct graph g = { c, 1 };
 
-    return follow(&g, c->branch.path[before], y);
+    return follow(&g, c->path[before], y);
 }

@@ -8,24 +8,14 @@
 
 #include "quad_branch.h"
 
-struct workprec_curve {
-    const struct quad_anchor *at; /* borrowed */
-    struct quad_branch branch;
-};
-
-/* As quad_branch_grow. */
-bool workprec_curve_grow(const struct law *law, const struct quad_anchor *at,
-                         int side, struct workprec_curve *c);
-
 /* The unit tangent at the offset z, outward. */
-void workprec_curve_tangent(const struct workprec_curve *c, const quad z[2],
+void workprec_curve_tangent(const struct quad_branch *c, const quad z[2],
                             quad n[2]);
 
 /* The distance of the offset z, to first order in it; infinite where the curve
  * is not above, below or beside it. */
-double workprec_curve_distance(const struct workprec_curve *c, const quad z[2]);
+double workprec_curve_distance(const struct quad_branch *c, const quad z[2]);
 
 /* x of the curve's first crossing of the row y, both offsets, between points
  * `before` and before + 1 of the branch. */
-quad workprec_curve_cross(const struct workprec_curve *c, size_t before,
-                          quad y);
+quad workprec_curve_cross(const struct quad_branch *c, size_t before, quad y);

@@ -32,8 +32,8 @@ enum { PLACES = sizeof places / sizeof *places };
 static void set_limits(struct workprec_task *c)
 {
     struct workprec_truth *t = &c->truth;
-    const struct quad_branch *up = &t->curve[SIDE_UPPER].branch;
-    const struct quad_branch *low = &t->curve[SIDE_LOWER].branch;
+    const struct quad_branch *up = &t->curve[SIDE_UPPER];
+    const struct quad_branch *low = &t->curve[SIDE_LOWER];
 
     if (up->end != QUAD_PSI_INF)
         c->reason[WORKPREC_V_PLUS] = c->reason[WORKPREC_X_EXCESS] =
@@ -46,11 +46,11 @@ static void set_limits(struct workprec_task *c)
 }
 
 /* Whether the branch goes on from its point z at an angle with the rows. */
-static bool is_across(const struct workprec_curve *curve, const quad z[2])
+static bool is_across(const struct quad_branch *b, const quad z[2])
 {
     quad n[2];
 
-    workprec_curve_tangent(curve, z, n);
+    workprec_curve_tangent(b, z, n);
     return fabsq(n[1]) > (quad) WORKPREC_ROW_ACROSS;
 }
 
@@ -63,8 +63,7 @@ static bool is_in_reach(const struct workprec_task *c, const quad z[2])
  * evenly chosen. */
 static void choose_cuts(struct workprec_task *c, int side)
 {
-    const struct workprec_curve *curve = &c->truth.curve[side];
-    const struct quad_branch *b = &curve->branch;
+    const struct quad_branch *b = &c->truth.curve[side];
     struct workprec_cuts *cuts = &c->truth.cuts[side];
     size_t good[QUAD_PATH], n = 0;
     quad farthest = 0;
@@ -73,7 +72,7 @@ static void choose_cuts(struct workprec_task *c, int side)
          i++) {
         const quad *z = b->path[i], height = fabsq(z[1]);
         if (height >= farthest && fabsq(z[0]) > (quad) WORKPREC_ROW_NEAREST &&
-            is_across(curve, z) && is_across(curve, b->path[i + 1]))
+            is_across(b, z) && is_across(b, b->path[i + 1]))
             good[n++] = i;
         farthest = height > farthest ? height : farthest;
     }
@@ -84,7 +83,7 @@ static void choose_cuts(struct workprec_task *c, int side)
         const quad row =
             (quad) c->study->slider.plane.system.origin.y + cuts->row[k];
         cuts->x[k] = c->truth.slope.at.x0 +
-                     workprec_curve_cross(curve, i, row - c->truth.slope.at.y0);
+                     workprec_curve_cross(b, i, row - c->truth.slope.at.y0);
     }
 }
 
@@ -94,8 +93,8 @@ static void set_branches(struct workprec_task *c)
     struct workprec_truth *t = &c->truth;
 
     for (int i = 0; i < WORKPREC_SIDES; i++)
-        if (!workprec_curve_grow(law, &t->slope.at, i == SIDE_UPPER ? 1 : -1,
-                                 &t->curve[i])) {
+        if (!quad_branch_grow(law, &t->slope.at, i == SIDE_UPPER ? 1 : -1,
+                              WORKPREC_CURVE_TOL, &t->curve[i])) {
             for (int q = 0; q <= WORKPREC_ROWS; q++)
                 if (q != WORKPREC_TRANSIENT)
                     c->reason[q] = "the branches were not found in 113 bits";

@@ -44,7 +44,7 @@ struct workprec_cuts {
 struct workprec_truth {
     struct quad_slope slope; /* at the saddle */
     quad v[WORKPREC_SIDES], x_excess;
-    struct workprec_curve curve[WORKPREC_SIDES];
+    struct quad_branch curve[WORKPREC_SIDES];
     struct workprec_cuts cuts[WORKPREC_SIDES];
     quad state[2]; /* absolute */
     quad slip[WORKPREC_CELLS_MOST];

@@ -61,10 +61,10 @@ static void the_exact_curve_is_that_of_a_finer_tolerance(void **state)
     struct quad_branch b;
 
     for (int side = 0; side < WORKPREC_SIDES; side++) {
-        const struct workprec_curve *c = &s->task.truth.curve[side];
+        const struct quad_branch *c = &s->task.truth.curve[side];
         assert_true(quad_branch_grow(&s->study.slider.block.law, at,
                                      side == SIDE_UPPER ? 1 : -1, 1e-26, &b));
-        const quad off = c->branch.x - b.x;
+        const quad off = c->x - b.x;
         CHECK((double) fabsq(off) < 1e-19, "off by %g", (double) off);
         for (size_t i = 0; i < b.points; i++) {
             const double far = workprec_curve_distance(c, b.path[i]);
@@ -81,10 +81,10 @@ static void the_distance_from_the_curve_is_what_a_point_was_moved_by(
     const struct slope_task *s = *state;
 
     for (int side = 0; side < WORKPREC_SIDES; side++) {
-        const struct workprec_curve *c = &s->task.truth.curve[side];
-        const size_t points = c->branch.points;
+        const struct quad_branch *c = &s->task.truth.curve[side];
+        const size_t points = c->points;
         for (size_t i = points / 2; i + 2 < points; i += 7) {
-            const quad *at = c->branch.path[i];
+            const quad *at = c->path[i];
             quad n[2];
             workprec_curve_tangent(c, at, n);
             for (double by = 1e-18; by < 1e-6; by *= 1e5) {
