@@ -73,20 +73,13 @@ static void check_report_print(FILE *out, const struct regression *r)
 
 /* ---- TAP ----------------------------------------------------------------- */
 
-/* A text in which no harness finds a directive. */
-static void put_plain(FILE *out, const char *text)
-{
-    for (; *text; text++)
-        fprintf(out, "%s%c", *text == '#' || *text == '\\' ? "\\" : "", *text);
-}
-
 static void tap_name(FILE *out, const struct table *t, size_t row)
 {
     static const char *const parts[] = { "name", "law", "form", "alpha" };
     char text[200];
 
     text_show_end(t->name, text, sizeof text);
-    put_plain(out, text);
+    command_plain(out, text);
     fprintf(out, ":%lu", (unsigned long) table_at(t, row, 0)->line);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         const struct table_cell *cell = table_find(t, row, parts[i]);
@@ -94,7 +87,7 @@ static void tap_name(FILE *out, const struct table *t, size_t row)
             continue;
         text_show(cell->text, text, 64);
         fprintf(out, " ");
-        put_plain(out, text);
+        command_plain(out, text);
     }
     fprintf(out, "\n");
 }

@@ -8,6 +8,28 @@
 #include "scene_scatter.h"
 #include "text.h"
 
+static bool has_rabinowicz(const struct scene_rabinowicz *r)
+{
+    return r->block_mass > 0.0 || r->ball_mass > 0.0 || r->restitution >= 0.0 ||
+           r->slopes > 0 || r->data != NULL;
+}
+
+const char *scene_command(const struct scene *s)
+{
+    if (s->sweep.axes > 0)
+        return "sweep";
+    if (s->ensemble.parameters > s->ensemble.scattered || s->ensemble.samples ||
+        s->ensemble.covariance)
+        return "ensemble";
+    if (s->system)
+        return "study";
+    if (s->products == 0 && has_rabinowicz(&s->rabinowicz))
+        return "rabinowicz";
+    if (s->products == 0 && s->starts > 0 && s->spread == 0)
+        return "simulate";
+    return "study";
+}
+
 enum exit_code command_run(const struct command *c, const struct options *o)
 {
 #define RUN(NAME, name, does) command_##name,
@@ -121,4 +143,10 @@ enum exit_code command_with_scene(
 enum exit_code command_unwritten(void)
 {
     return command_fail(STATUS_IO, "cannot write to standard output");
+}
+
+void command_plain(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        fprintf(out, "%s%c", *text == '#' || *text == '\\' ? "\\" : "", *text);
 }

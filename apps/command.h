@@ -13,6 +13,12 @@ enum exit_code command_run(const struct command *c, const struct options *o);
     enum exit_code command_##name(const struct options *o);
 COMMAND_LIST(COMMAND_FUNCTION)
 
+/* Which command a scene is for, where it does not say: "sweep" for one with a
+ * sweep, "ensemble" for one with an ensemble; of those that name no products,
+ * "rabinowicz" for one with that section and "simulate" for one with starts of
+ * its own and no spread; else "study". */
+const char *scene_command(const struct scene *s);
+
 /* Reads the scene of the command line, if one is given, with the settings of it
  * and then these: borrowed, at most COMMAND_MORE.  A scene read again with more
  * says in its file what was run.  Its output is for the commands that make
@@ -28,6 +34,9 @@ MUST_CHECK enum status command_read(const struct options *o, char *const more[],
 enum status command_refuse(struct fault *why, const char *format,
                            const char *text);
 
+/* A command, its options and an example; of NULL: all commands and options. */
+void help_print(FILE *out, const struct command *c);
+
 /* Prints "slipway: TEXT" and answers the exit code for s. */
 enum exit_code command_fail(enum status s, const char *text);
 
@@ -40,3 +49,6 @@ enum exit_code command_with_scene(
 
 /* The complaint when standard output refuses what was printed. */
 enum exit_code command_unwritten(void);
+
+/* A text in which no harness of TAP finds a directive. */
+void command_plain(FILE *out, const char *text);

@@ -1,7 +1,5 @@
 /* slipway help, --help; and help --as, which writes pages for other programs.
  */
-#include "help.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>

@@ -10,7 +10,6 @@
 
 #include "command.h"
 #include "crew.h"
-#include "help.h"
 #include "json.h"
 
 /* Whether it shares its work with other ranks. */

@@ -9,7 +9,11 @@
 #include "result_file.h"
 #include "text_results.h"
 
-bool panel_path(const char *path, const char *panel, char out[PANEL_PATH])
+enum { PANEL_PATH = 4096 };
+
+/* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
+static bool panel_path(const char *path, const char *panel,
+                       char out[PANEL_PATH])
 {
     const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
     const char *end =

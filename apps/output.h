@@ -8,11 +8,7 @@
 
 struct ensemble;
 
-enum { PANEL_PATH = 4096 };
 _Static_assert((int) PANELS_MAX == (int) FIGURES_MAX, "drawn together");
-
-/* "a.svg", "_time" -> "a_time.svg"; false if that is too long. */
-bool panel_path(const char *path, const char *panel, char out[PANEL_PATH]);
 
 /* Could a file be written there: replace_check, and it is none that the command
  * line or the scene (NULL: none) names to be read (STATUS_BAD_SCENE). */

@@ -264,7 +264,7 @@ static void print_answers(const struct job *j, const struct scene *scene,
             printf("%s: ", text_shown(j->answer[i].id).text);
         state_print(stdout, scene, j->state[i].v, j->state[i].psi);
         printf(": %s\n", fate_names[j->answer[i].fate]);
-        text_record(stdout, &one, 1);
+        text_rest(stdout, &one);
     }
 }
 

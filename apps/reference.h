@@ -15,3 +15,10 @@ MUST_CHECK enum status reference_hdf5(FILE *out);
 
 /* Exit codes, and what the words of results mean. */
 void reference_words(FILE *out);
+
+/* Texts as they must stand in a table of Markdown: a bar would end the cell, it
+ * is written with a backslash. */
+void markdown_text(FILE *out, const char *text);
+
+/* `word` `word` ...; the list is NULL-ended. */
+void markdown_words(FILE *out, const char *const *words);

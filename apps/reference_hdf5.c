@@ -4,7 +4,6 @@
 
 #include "batch.h"
 #include "ensemble_results.h"
-#include "markdown.h"
 #include "plane_numbers.h"
 #include "plane_results.h"
 #include "provenance.h"

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "law.h"
-#include "markdown.h"
 #include "plan.h"
 #include "schema.h"
 #include "texts.h"

@@ -4,7 +4,6 @@
 #include "equilibrium.h"
 #include "extremum.h"
 #include "fate.h"
-#include "markdown.h"
 #include "moment.h"
 #include "records.h"
 #include "stress_judge.h"
@@ -89,6 +88,18 @@ static const struct word_list {
       { "done", "says the method itself",
         "says it succeeded, and is far off" } },
 };
+
+void markdown_text(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        fprintf(out, "%s%c", *text == '|' ? "\\" : "", *text);
+}
+
+void markdown_words(FILE *out, const char *const *words)
+{
+    for (size_t i = 0; words[i]; i++)
+        fprintf(out, "%s`%s`", i ? " " : "", words[i]);
+}
 
 static void put_exits(FILE *out)
 {

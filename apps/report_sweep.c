@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "sweep_summary.h"
 #include "sweep_told.h"
 
 /* ---- tables -------------------------------------------------------------- */

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "sweep_summary.h"
 #include "sweep_told.h"
 
 /* ---- axes ---------------------------------------------------------------- */

@@ -15,20 +15,17 @@
 
 /* ---- picture ------------------------------------------------------------- */
 
-/* The panels of its figure (panel_path), NULL-ended: the distribution of v_plus
- * (or of the first number) with its quantiles, "_arrest" with pushes, "_matrix"
- * with parameters.  Without numbers the first is that of arrest. */
-enum { PICTURE_ENSEMBLE_PANELS = 4 };
-void picture_ensemble_panels(const struct scene *s,
-                             const char *panel[PICTURE_ENSEMBLE_PANELS]);
-
 static bool has_numbers(const struct scene *s)
 {
     return s->ensemble.number == NULL || s->ensemble.numbers > 0;
 }
 
-void picture_ensemble_panels(const struct scene *s,
-                             const char *panel[PICTURE_ENSEMBLE_PANELS])
+enum { PANELS = 4 };
+
+/* The panels of its figure (panel_path), NULL-ended: the distribution of v_plus
+ * (or of the first number) with its quantiles, "_arrest" with pushes, "_matrix"
+ * with parameters.  Without numbers the first is that of arrest. */
+static void name_panels(const struct scene *s, const char *panel[PANELS])
 {
     size_t n = 0;
 
@@ -295,13 +292,14 @@ static enum status matrix(const struct ensemble *e, struct figure *f,
 }
 
 /* Begins those panels.  STATUS_IO, STATUS_NO_MEMORY. */
-static enum status picture_ensemble(const struct ensemble *e, struct panels *p,
-                                    struct fault *why)
+static enum status draw_work(const void *work, struct panels *p,
+                             struct fault *why)
 {
-    const char *panel[PICTURE_ENSEMBLE_PANELS];
+    const struct ensemble *e = work;
+    const char *panel[PANELS];
     enum status status = STATUS_OK;
 
-    picture_ensemble_panels(e->scene, panel);
+    name_panels(e->scene, panel);
     for (size_t i = 0; panel[i] && status == STATUS_OK; i++) {
         struct figure *f = panels_add(p, panel[i]);
         const bool pushes = i == 0 && !has_numbers(e->scene);
@@ -357,12 +355,6 @@ static enum status write_work(const void *work, const char *path,
         e->scene->system ? "system" : e->scene->law.preset, path, NULL, why);
 }
 
-static enum status draw_work(const void *work, struct panels *p,
-                             struct fault *why)
-{
-    return picture_ensemble(work, p, why);
-}
-
 static enum exit_code print_work(const void *work, const struct options *o)
 {
     if (o->json && !json_print(report_ensemble_json(work)))
@@ -372,22 +364,17 @@ static enum exit_code print_work(const void *work, const struct options *o)
     return EXIT_DONE;
 }
 
-static void note_work(const void *work)
-{
-    (void) work;
-}
-
 static enum exit_code run(const struct options *o, const struct scene *scene)
 {
-    const char *panel[PICTURE_ENSEMBLE_PANELS];
+    const char *panel[PANELS];
     struct ensemble e = ENSEMBLE_EMPTY;
     const struct shared_work work = { "ensemble", "draws",        panel,
                                       &e,         run_work,       free_work,
                                       write_work, draw_work,      print_work,
-                                      note_work,  &e.draws.count, &e.missing,
+                                      NULL,       &e.draws.count, &e.missing,
                                       &e.taken,   &e.replaced };
 
-    picture_ensemble_panels(scene, panel);
+    name_panels(scene, panel);
     return shared_command(&work, o, scene);
 }
 

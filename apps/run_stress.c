@@ -150,13 +150,6 @@ static json_t *report_stress_json(const struct stress *s,
 
 /* ---- TAP ----------------------------------------------------------------- */
 
-/* A text in which no harness finds a directive. */
-static void put_plain(FILE *out, const char *text)
-{
-    for (; *text; text++)
-        fprintf(out, "%s%c", *text == '#' || *text == '\\' ? "\\" : "", *text);
-}
-
 /* One test a case: only a lie is not ok. */
 static void report_stress_tap(FILE *out, const struct stress *s)
 {
@@ -165,7 +158,7 @@ static void report_stress_tap(FILE *out, const struct stress *s)
         const struct stress_row *row = &s->row[i];
         fprintf(out, "%s %zu - ", row->outcome == STRESS_LIE ? "not ok" : "ok",
                 i + 1);
-        put_plain(out, row->name);
+        command_plain(out, row->name);
         fprintf(out, " %s", stress_outcome_names[row->outcome]);
         fprintf(out, "\n");
         if (row->reason)

@@ -1,9 +1,13 @@
 /* slipway study and its shortcuts: read the scene, run what it asks for, write
  * the file, draw the figure, print the numbers. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "certificate_file.h"
+#include "command.h"
 #include "drawn.h"
+#include "json.h"
+#include "options.h"
+#include "output.h"
 #include "picture.h"
 #include "picture_plane.h"
 #include "plane_certificate.h"
@@ -11,11 +15,12 @@
 #include "product_setting.h"
 #include "progress.h"
 #include "remark.h"
+#include "replace.h"
 #include "report.h"
 #include "report_ensemble.h"
 #include "report_sweep.h"
 #include "run_plane.h"
-#include "scene_command.h"
+#include "scene.h"
 #include "scene_slope.h"
 #include "study_certificate.h"
 #include "study_results.h"
@@ -121,6 +126,48 @@ static enum status check_files(const struct options *o, const struct scene *c,
                          "fold_curves or bifurcation beside them, or a slope",
                          figure);
     return output_check(o, c, figure, panel, why);
+}
+
+/* ---- the certificate ----------------------------------------------------- */
+
+/* Whether --certificate, if it is given, can be followed: something is proved,
+ * and the file can be written. */
+static enum status certificate_check(const struct options *o,
+                                     const struct scene *scene,
+                                     struct fault *why)
+{
+    if (o->certificate == NULL)
+        return STATUS_OK;
+    if (!scene->proved)
+        return command_refuse(why,
+                              "--certificate %s: nothing is proved, expected a "
+                              "slope or a system, and --proved",
+                              o->certificate);
+    return output_path_check(o, scene, o->certificate, why);
+}
+
+/* Writes the file that is asked for, whole or not at all, and says so.  Steals
+ * proof. */
+static enum status certificate_write(const struct options *o, json_t *proof,
+                                     struct fault *why)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+
+    if (out == NULL) {
+        json_decref(proof);
+        return STATUS_NO_MEMORY;
+    }
+    const bool whole = json_write(proof, out);
+    enum status status =
+        fclose(out) == 0 && whole ? STATUS_OK : STATUS_NO_MEMORY;
+    if (status == STATUS_OK)
+        status = replace_file(o->certificate, text, size, why);
+    free(text);
+    if (status == STATUS_OK)
+        output_tell(o, o->certificate);
+    return status;
 }
 
 static void print_remarks(const struct study *s)

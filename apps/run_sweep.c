@@ -1,10 +1,12 @@
-/* slipway sweep: what a scene's products give over one key of it, or two. */
+/* slipway sweep: what a scene's products give over one key of it, or two; and
+ * merge. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "csv_results.h"
+#include "ensemble.h"
 #include "output.h"
 #include "picture_sweep.h"
 #include "product_setting.h"
@@ -306,4 +308,18 @@ static enum exit_code run(const struct options *o, const struct scene *scene)
 enum exit_code command_sweep(const struct options *o)
 {
     return command_with_scene(o, read_scene, run);
+}
+
+/* The shares of a sweep or an ensemble. */
+enum exit_code command_merge(const struct options *o)
+{
+    struct scene scene;
+    struct fault why;
+    bool draws = false;
+
+    if (command_read(o, NULL, 0, &scene, &why) == STATUS_OK) {
+        draws = ensemble_is_asked(&scene);
+        scene_free(&scene);
+    }
+    return draws ? command_ensemble(o) : command_sweep(o);
 }

@@ -341,7 +341,8 @@ static void print_notes(const struct shared *h)
     if (*w->taken > 0)
         printf("note: %zu of %zu %s were there already\n", *w->taken, *w->count,
                w->tasks);
-    w->note(w->work);
+    if (w->note)
+        w->note(w->work);
 }
 
 static enum exit_code tell(const struct shared *h, bool whole)

@@ -26,7 +26,7 @@ struct shared_work {
     void (*free)(void *work);
     enum status (*write)(const void *work, const char *path, struct fault *why);
     enum status (*draw)(const void *work, struct panels *p, struct fault *why);
-    /* Text or JSON; then what is to be noted of the run. */
+    /* Text or JSON; then what is to be noted of the run, or NULL. */
     enum exit_code (*print)(const void *work, const struct options *o);
     void (*note)(const void *work);
 

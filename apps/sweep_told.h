@@ -31,3 +31,18 @@ const char *sweep_told_unit(const struct sweep *s, const char *own);
 double sweep_told_value(const struct sweep *s, const char *own, double x);
 const char *sweep_told_state(const struct sweep *s);
 struct sweep_name sweep_told_dim(const struct sweep *s, enum sweep_dim dim);
+
+/* A layer at one point in a few numbers. */
+enum { SUMMARY_WORDS = 8 };
+
+struct sweep_summary {
+    size_t cells, present;        /* all of them; those that have a value */
+    double least, greatest;       /* of numbers; NaN without any */
+    size_t counts[SUMMARY_WORDS]; /* of codes, by code */
+};
+
+/* Of layer number k.  STATUS_IO with one line in *why, STATUS_NO_MEMORY. */
+MUST_CHECK enum status sweep_summary_find(const struct sweep *s, size_t k,
+                                          size_t point,
+                                          struct sweep_summary *out,
+                                          struct fault *why);

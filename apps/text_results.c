@@ -114,9 +114,9 @@ static void print_record(FILE *out, const struct result *r, size_t k,
     }
 }
 
-void text_record(FILE *out, const struct record_array *a, size_t first)
+void text_rest(FILE *out, const struct record_array *a)
 {
-    for (size_t i = first; i < a->type->count; i++) {
+    for (size_t i = 1; i < a->type->count; i++) {
         const struct record_field *f = &a->type->fields[i];
         print_member(out, f->name, f, record_member(a, 0, f));
     }

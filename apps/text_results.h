@@ -14,5 +14,5 @@
 /* STATUS_NO_MEMORY, with a part printed. */
 MUST_CHECK enum status text_results(FILE *out, const struct results *all);
 
-/* Members first .. of a record by their own names, a line each. */
-void text_record(FILE *out, const struct record_array *a, size_t first);
+/* Members of a record but the first by their own names, a line each. */
+void text_rest(FILE *out, const struct record_array *a);
