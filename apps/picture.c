@@ -112,14 +112,6 @@ static void add_point(const struct picture *p, struct line *l, struct vec2 z)
     line_add(l, at.x, at.y);
 }
 
-static void add_line(struct picture *p, struct line *l, enum figure_role role,
-                     const char *entry)
-{
-    figure_add_line(
-        p->figure,
-        &(struct figure_layer){ .style = { .role = role }, .entry = entry }, l);
-}
-
 /* Into so many chords that none is further from piece i than the page allows,
  * also where it turns by a right angle: half its length by the angle at most,
  * over four times their number squared.  On linear axes, which stretch, 48. */
@@ -171,7 +163,9 @@ static void add_nullclines(struct picture *p)
                 add_point(
                     p, &l,
                     vec2_sub(piece->at[j], p->s->slider.plane.system.origin));
-            add_line(p, &l, role[i], entry[si][i]);
+            figure_add_curve(p->figure,
+                             (struct figure_style){ .role = role[i] },
+                             entry[si][i], &l);
         }
 }
 

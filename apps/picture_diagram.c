@@ -57,7 +57,7 @@ static void draw_friction_law(const struct sheet *p)
         sheet_linear("friction coefficient " S_MU_SS, range);
     sheet_start(p, &x, &y);
     for (int i = DIAGRAM_LAWS; i-- > 0;)
-        sheet_line(p, &line[i], law_style[i], law_name(p, i));
+        figure_add_curve(p->figure, law_style[i], law_name(p, i), &line[i]);
     mark_extrema(p, c->extremum, c->extrema, p->s->scene->window.v, true);
 }
 
@@ -119,7 +119,7 @@ static void add_springs(const struct sheet *p, struct line line[SPRING_LINES])
                  i % 2 ? "no inertia" : "with inertia");
         if (i % 2)
             style = (struct figure_style){ style.role, no_inertia[i / 2], 2.2 };
-        sheet_line(p, &line[i], style, entry);
+        figure_add_curve(p->figure, style, entry, &line[i]);
     }
 }
 
@@ -166,8 +166,8 @@ static void add_branches(const struct sheet *p, const struct steady_curve *c)
             if (i > from && c->at[i].type == EQUILIBRIUM_SADDLE_NODE)
                 break;
         }
-        sheet_line(p, &l, look[saddle],
-                   saddle ? "unstable (saddle)" : "stable (node)");
+        figure_add_curve(p->figure, look[saddle],
+                         saddle ? "unstable (saddle)" : "stable (node)", &l);
         from = to;
     }
 }
@@ -292,7 +292,7 @@ static void draw_fold_curves(const struct sheet *p)
     sheet_start(p, &x, &y);
     shade_metastable(p, line);
     for (int i = 0; i < 2; i++)
-        sheet_line(p, &line[i], look[i], entry[i]);
+        figure_add_curve(p->figure, look[i], entry[i], &line[i]);
     mark_cusp(p, &f->cusp);
 }
 
@@ -323,7 +323,7 @@ static void add_chi(const struct sheet *p, const struct chi_curves *c,
     snprintf(entry, sizeof entry, S_ALPHA " = %.6g rad", c->slope[slope].alpha);
     for (size_t i = 0; i < c->points; i++)
         line_add(&l, c->v[i] * p->unit, exp(ln_chi[i]));
-    sheet_line(p, &l, look_of_slope(slope), entry);
+    figure_add_curve(p->figure, look_of_slope(slope), entry, &l);
 }
 
 static void mark_chi_roots(const struct sheet *p, const struct chi_slope *s)

@@ -203,6 +203,9 @@ static void add_nullclines(const struct picture *p)
 {
     for (int i = 0; i < NULLCLINES; i++) {
         const struct nullcline *n = &p->s->portrait.nullcline[i];
+        const struct figure_style style = { .role = i == 0
+                                                        ? FIGURE_NULLCLINE_X
+                                                        : FIGURE_NULLCLINE_Y };
         char name[2 * FORMULA_NAME], entry[2 * FORMULA_NAME + 32];
         name_state(p, i, name);
         snprintf(entry, sizeof entry, "d%s/d" ITALIC("t") " = 0", name);
@@ -210,13 +213,7 @@ static void add_nullclines(const struct picture *p)
             struct stroke t = { .line = LINE_EMPTY };
             for (size_t j = 0; j < n->piece[k].count; j++)
                 add(p, &t, n->piece[k].at[j]);
-            figure_add_line(
-                p->figure,
-                &(struct figure_layer){
-                    .style = { .role = i == 0 ? FIGURE_NULLCLINE_X
-                                              : FIGURE_NULLCLINE_Y },
-                    .entry = entry },
-                &t.line);
+            figure_add_curve(p->figure, style, entry, &t.line);
         }
     }
 }

@@ -209,9 +209,7 @@ static void add_line(const struct plot *p, const struct sweep_curve *c,
 {
     struct line l = line_of(p, y);
 
-    figure_add_line(
-        p->figure,
-        &(struct figure_layer){ .style = c->style, .entry = c->entry }, &l);
+    figure_add_curve(p->figure, c->style, c->entry, &l);
     add_single(p, c, y);
 }
 

@@ -39,10 +39,7 @@ static void add_sum(const struct sums *q, size_t order, enum figure_role role)
         line_add(&l, at.x, at.y);
     }
     snprintf(entry, sizeof entry, "power series, order %zu", order);
-    figure_add_line(
-        q->f,
-        &(struct figure_layer){ .style = { .role = role }, .entry = entry },
-        &l);
+    figure_add_curve(q->f, (struct figure_style){ .role = role }, entry, &l);
 }
 
 static void add_band(const struct sums *q)

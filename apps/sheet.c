@@ -68,13 +68,6 @@ void sheet_start(const struct sheet *p, const struct figure_axis *x,
     figure_init(p->figure, sheet_title(p->s->scene, false).text, x, y);
 }
 
-void sheet_line(const struct sheet *p, struct line *l,
-                struct figure_style style, const char *entry)
-{
-    figure_add_line(
-        p->figure, &(struct figure_layer){ .style = style, .entry = entry }, l);
-}
-
 void sheet_mark(const struct sheet *p, double x, double y,
                 enum figure_mark mark, const char *entry)
 {

@@ -38,8 +38,6 @@ struct sheet_text sheet_title(const struct scene *c, bool slope);
 void sheet_start(const struct sheet *p, const struct figure_axis *x,
                  const struct figure_axis *y);
 /* Adds a line with two points or more, and frees it. */
-void sheet_line(const struct sheet *p, struct line *l,
-                struct figure_style style, const char *entry);
 void sheet_mark(const struct sheet *p, double x, double y,
                 enum figure_mark mark, const char *entry);
 

@@ -52,6 +52,13 @@ void figure_add_line(struct figure *f, const struct figure_layer *look,
     line_free(l);
 }
 
+void figure_add_curve(struct figure *f, struct figure_style style,
+                      const char *entry, struct line *l)
+{
+    figure_add_line(f, &(struct figure_layer){ .style = style, .entry = entry },
+                    l);
+}
+
 void figure_add_way(struct figure *f, struct figure_style style,
                     const char *entry, struct line *l)
 {

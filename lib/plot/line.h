@@ -24,8 +24,10 @@ void line_reverse(struct line *l);
 void figure_add_line(struct figure *f, const struct figure_layer *look,
                      struct line *l);
 
-/* The same of a curve with an arrowhead in its middle, and of arrows, as long
- * as `along` says, which is freed, too. */
+/* The same of a curve, of one with an arrowhead in its middle, and of arrows,
+ * as long as `along` says, which is freed, too. */
+void figure_add_curve(struct figure *f, struct figure_style style,
+                      const char *entry, struct line *l);
 void figure_add_way(struct figure *f, struct figure_style style,
                     const char *entry, struct line *l);
 void figure_add_arrows(struct figure *f, struct line *at, struct line *along);
