@@ -118,17 +118,6 @@ static double half_unit(const char *text)
     return 0.5 * pow(10.0, (double) power - (double) places);
 }
 
-static bool read_code(const struct record_field *f, const char *text,
-                      int8_t *code)
-{
-    for (int8_t i = 0; f->codes[i]; i++)
-        if (strcmp(f->codes[i], text) == 0) {
-            *code = i;
-            return true;
-        }
-    return false;
-}
-
 /* False where the cell makes no sense in its column. */
 static bool read_value(const struct record_field *f, struct expected_value *v)
 {
@@ -142,8 +131,10 @@ static bool read_value(const struct record_field *f, struct expected_value *v)
         return true;
     }
     v->kind = f->kind == RECORD_CODE ? EXPECTED_CODE : EXPECTED_NUMBER;
-    if (f->kind == RECORD_CODE)
-        return read_code(f, text, &v->code);
+    if (f->kind == RECORD_CODE) {
+        v->code = (int8_t) text_index(text, f->codes);
+        return v->code >= 0;
+    }
     v->printed = half_unit(text);
     return number_read(text, &v->number);
 }

@@ -4,15 +4,15 @@
 #include <string.h>
 
 #include "scene_scatter.h"
+#include "text.h"
 
 const char *const plane_row_columns[] = { "scene", "set", NULL };
 
 bool plane_row_is(const struct table *t)
 {
     for (size_t i = 0; i < t->columns; i++)
-        for (const char *const *c = plane_row_columns; *c; c++)
-            if (strcmp(table_header(t, i)->text, *c) == 0)
-                return true;
+        if (text_index(table_header(t, i)->text, plane_row_columns) >= 0)
+            return true;
     return false;
 }
 

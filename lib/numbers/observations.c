@@ -26,9 +26,8 @@ static enum status check_column(const struct table *t, size_t column,
     const struct table_cell *cell = table_header(t, column);
     char words[100];
 
-    for (size_t i = 0; columns[i]; i++)
-        if (strcmp(columns[i], cell->text) == 0)
-            return STATUS_OK;
+    if (text_index(cell->text, columns) >= 0)
+        return STATUS_OK;
     const char *near = spell_nearest(cell->text, columns);
     text_list(columns, words, sizeof words);
     return place_blame(

@@ -65,13 +65,11 @@ static bool is_name(const char *text)
 {
     static const char *const taken[] = {
         "v", "psi", "theta",     "psi_ss", "d",  "T",
-        "K", "mu",  "tan_alpha", "eps2",   "pi",
+        "K", "mu",  "tan_alpha", "eps2",   "pi", NULL,
     };
 
-    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
-        if (strcmp(text, taken[i]) == 0)
-            return false;
-    return (isalpha((unsigned char) text[0]) || text[0] == '_') &&
+    return text_index(text, taken) < 0 &&
+           (isalpha((unsigned char) text[0]) || text[0] == '_') &&
            is_word(text) && strlen(text) < FORMULA_NAME;
 }
 

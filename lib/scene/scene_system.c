@@ -105,17 +105,16 @@ static enum status add_state(const struct reading *r, const char *name,
                              const struct node *n)
 {
     static const char *const word[] = { "real", "positive", "angle" };
-    static const char *const column[] = { "arc",   "error", "name",
-                                          "slope", "time",  "type" };
+    static const char *const column[] = { "arc",  "error", "name", "slope",
+                                          "time", "type",  NULL };
     const struct node *period = NULL;
     enum formula_chart chart = CHART_REAL;
     struct origin o;
 
-    for (size_t i = 0; i < sizeof column / sizeof *column; i++)
-        if (strcmp(name, column[i]) == 0)
-            return formula_blame(*origin_of(&o, r->s, n ? n : r->node), r->why,
-                                 "state %s: results have %s of their own", name,
-                                 name);
+    if (text_index(name, column) >= 0)
+        return formula_blame(*origin_of(&o, r->s, n ? n : r->node), r->why,
+                             "state %s: results have %s of their own", name,
+                             name);
     if (n && n->kind == NODE_SCALAR) {
         while (chart <= CHART_ANGLE && strcmp(n->text, word[chart]) != 0)
             chart++;
