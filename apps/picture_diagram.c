@@ -8,6 +8,13 @@
 #include "sheet.h"
 #include "symbols.h"
 
+/* A figure in the making; all borrowed. */
+struct sheet {
+    const struct study *s;
+    struct figure *figure;
+    double unit; /* of slip rates on axes: V_star in SI units, else 1 */
+};
+
 /* Roles of the scene's law and of Dieterich's. */
 static const struct figure_style law_style[DIAGRAM_LAWS] = {
     [DIAGRAM_SCENE] = { FIGURE_SERIES_1, FIGURE_SOLID, 3.0 },
@@ -18,6 +25,63 @@ static const char *law_name(const struct sheet *p, int law)
 {
     return law == DIAGRAM_SCENE ? p->s->slider.block.law.words
                                 : law_preset_find("dieterich")->words;
+}
+
+static bool is_si(const struct sheet *p)
+{
+    return p->s->scene->units == UNITS_SI;
+}
+
+/* ---- axes and marks ------------------------------------------------------ */
+
+/* A linear axis with a rim around a range, 0 .. 1 around an empty one. */
+static struct figure_axis linear(const char *label, const double range[2])
+{
+    const bool any = range[0] < range[1];
+    const double lo = any ? range[0] : 0.0, hi = any ? range[1] : 1.0;
+    const double rim = 0.04 * (hi - lo);
+
+    return (struct figure_axis){ label, lo - rim, hi + rim, false };
+}
+
+/* A log axis of slip rates v[0] .. v[1] in the scene's units, `what` they
+ * are. */
+static struct figure_axis rates(const struct sheet *p, const char *what,
+                                const double v[2], char label[64])
+{
+    snprintf(label, 64, "%s %s", what, is_si(p) ? S_BIG_V " (m/s)" : S_V_RATIO);
+    return (struct figure_axis){ label, v[0] * p->unit, v[1] * p->unit, true };
+}
+
+static void start(const struct sheet *p, const struct figure_axis *x,
+                  const struct figure_axis *y)
+{
+    figure_init(p->figure, sheet_title(p->s->scene, false).text, x, y);
+}
+
+static void mark(const struct sheet *p, double x, double y,
+                 enum figure_mark mark, const char *entry)
+{
+    figure_add_point(p->figure, x, y, FIGURE_EQUILIBRIUM, mark, 0.0, entry);
+}
+
+/* A disc for a maximum, a circle for a minimum. */
+static enum figure_mark mark_of(const struct extremum *e)
+{
+    return e->kind == EXTREMUM_MAXIMUM ? FIGURE_DISC : FIGURE_CIRCLE;
+}
+
+/* "V_M = 2.493e-08 m/s" of a maximum, "v_m = 405.1" of a minimum in units of
+ * V*. */
+static void name_extremum(const struct sheet *p, const struct extremum *e,
+                          char text[64])
+{
+    const char which = e->kind == EXTREMUM_MAXIMUM ? 'M' : 'm';
+    char v[32];
+
+    mark_number(v, sizeof v, e->v.value * p->unit, 4);
+    snprintf(text, 64, ITALIC("%c") SUB(ITALIC("%c")) " = %s%s",
+             is_si(p) ? 'V' : 'v', which, v, is_si(p) ? " m/s" : "");
 }
 
 /* ---- friction laws, Fig 1(a) --------------------------------------------- */
@@ -32,10 +96,10 @@ static void mark_extrema(const struct sheet *p, const struct extremum all[],
         char name[64], entry[96];
         if (!(e->v.value >= v[0] && e->v.value <= v[1]))
             continue;
-        sheet_name(p, e, name);
+        name_extremum(p, e, name);
         snprintf(entry, sizeof entry, "%s: %s", extremum_names[e->kind], name);
-        sheet_mark(p, e->v.value * p->unit, friction ? e->mu.value : 0.0,
-                   sheet_mark_of(e), friction ? entry : name);
+        mark(p, e->v.value * p->unit, friction ? e->mu.value : 0.0, mark_of(e),
+             friction ? entry : name);
     }
 }
 
@@ -44,7 +108,7 @@ static void draw_friction_law(const struct sheet *p)
     const struct steady_curve *c = p->s->diagrams.friction_law;
     char label[64];
     const struct figure_axis x =
-        sheet_rates(p, "slip rate", p->s->scene->window.v, label);
+        rates(p, "slip rate", p->s->scene->window.v, label);
     struct line line[DIAGRAM_LAWS] = { LINE_EMPTY };
     double range[2] = RANGE_EMPTY;
 
@@ -53,9 +117,8 @@ static void draw_friction_law(const struct sheet *p)
             line_add(&line[i], c[i].at[k].v * p->unit, c[i].at[k].mu.value);
         range_grow(range, line[i].y, line[i].count);
     }
-    const struct figure_axis y =
-        sheet_linear("friction coefficient " S_MU_SS, range);
-    sheet_start(p, &x, &y);
+    const struct figure_axis y = linear("friction coefficient " S_MU_SS, range);
+    start(p, &x, &y);
     for (int i = DIAGRAM_LAWS; i-- > 0;)
         figure_add_curve(p->figure, law_style[i], law_name(p, i), &line[i]);
     mark_extrema(p, c->extremum, c->extrema, p->s->scene->window.v, true);
@@ -128,7 +191,7 @@ static void draw_spring_block(const struct sheet *p)
     const struct spring_curve *c = p->s->diagrams.spring_block;
     char label[64];
     const struct figure_axis x =
-        sheet_rates(p, "speed of pulling", p->s->scene->spring_block.v, label);
+        rates(p, "speed of pulling", p->s->scene->spring_block.v, label);
     struct line line[SPRING_LINES];
     double range[2] = { 0.0, 0.0 };
 
@@ -139,8 +202,8 @@ static void draw_spring_block(const struct sheet *p)
     }
     range[1] *= 1.1;
     const struct figure_axis y =
-        sheet_linear("spring stiffness " ITALIC("k") " (Pa/m)", range);
-    sheet_start(p, &x, &y);
+        linear("spring stiffness " ITALIC("k") " (Pa/m)", range);
+    start(p, &x, &y);
     add_springs(p, line);
     mark_extrema(p, c->extremum, c->extrema, p->s->scene->spring_block.v,
                  false);
@@ -200,8 +263,7 @@ static void mark_folds(const struct sheet *p, const struct steady_curve *c)
             continue;
         snprintf(entry, sizeof entry, "fold: " S_CM("%c") " = %.6g rad",
                  e->kind == EXTREMUM_MAXIMUM ? 'M' : 'm', e->alpha.value);
-        sheet_mark(p, e->alpha.value, e->v.value * p->unit, sheet_mark_of(e),
-                   entry);
+        mark(p, e->alpha.value, e->v.value * p->unit, mark_of(e), entry);
     }
 }
 
@@ -210,14 +272,13 @@ static void draw_bifurcation(const struct sheet *p)
     const struct steady_curve *c = &p->s->diagrams.bifurcation;
     char label[64];
     const struct figure_axis y =
-        sheet_rates(p, "slip rate", p->s->scene->window.v, label);
+        rates(p, "slip rate", p->s->scene->window.v, label);
     double range[2] = RANGE_EMPTY;
 
     for (size_t i = 0; i < c->count; i++)
         range_grow(range, &c->at[i].alpha.value, 1);
-    const struct figure_axis x =
-        sheet_linear("slope angle " S_ALPHA " (rad)", range);
-    sheet_start(p, &x, &y);
+    const struct figure_axis x = linear("slope angle " S_ALPHA " (rad)", range);
+    start(p, &x, &y);
     shade_bistable(p, c);
     add_branches(p, c);
     mark_folds(p, c);
@@ -265,7 +326,7 @@ static void mark_cusp(const struct sheet *p, const struct cusp_numbers *cusp)
     snprintf(entry, sizeof entry,
              "cusp: " S_ALPHA " = %.5g rad, " ITALIC("c") " = %.5g",
              cusp->alpha.value, cusp->c.value);
-    sheet_mark(p, cusp->alpha.value, cusp->c.value, FIGURE_DISC, entry);
+    mark(p, cusp->alpha.value, cusp->c.value, FIGURE_DISC, entry);
 }
 
 static void draw_fold_curves(const struct sheet *p)
@@ -287,9 +348,8 @@ static void draw_fold_curves(const struct sheet *p)
         line[i] = fold_line(f, i == 1);
         range_grow(range, line[i].x, line[i].count);
     }
-    const struct figure_axis x =
-        sheet_linear("slope angle " S_ALPHA " (rad)", range);
-    sheet_start(p, &x, &y);
+    const struct figure_axis x = linear("slope angle " S_ALPHA " (rad)", range);
+    start(p, &x, &y);
     shade_metastable(p, line);
     for (int i = 0; i < 2; i++)
         figure_add_curve(p->figure, look[i], entry[i], &line[i]);
@@ -332,8 +392,8 @@ static void mark_chi_roots(const struct sheet *p, const struct chi_slope *s)
 
     for (int i = 0; i < 2; i++)
         if (quantity_exists(root[i]))
-            sheet_mark(p, root[i]->value * p->unit, 1.0, FIGURE_CIRCLE,
-                       ITALIC("χ") "(" S_V ") = 1");
+            mark(p, root[i]->value * p->unit, 1.0, FIGURE_CIRCLE,
+                 ITALIC("χ") "(" S_V ") = 1");
 }
 
 static void draw_chi(const struct sheet *p)
@@ -344,11 +404,11 @@ static void draw_chi(const struct sheet *p)
     char label[64];
 
     range_grow(range, c->ln_chi, c->slopes * c->points);
-    const struct figure_axis x = sheet_rates(p, "slip rate", v, label);
+    const struct figure_axis x = rates(p, "slip rate", v, label);
     const struct figure_axis y = { "slope of the flow " ITALIC("χ") "(" S_V ")",
                                    0.3 * exp(fmax(range[0], -100.0)), chi_top,
                                    true };
-    sheet_start(p, &x, &y);
+    start(p, &x, &y);
     sheet_segment(p->figure,
                   (struct figure_style){ FIGURE_FIELD, FIGURE_SOLID, 1.2 },
                   NULL, (struct vec2){ x.lo, 1.0 }, (struct vec2){ x.hi, 1.0 });
