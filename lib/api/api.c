@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "room.h"
-#include "scene_scatter.h"
 #include "unit.h"
 
 static const struct {
@@ -149,15 +148,6 @@ slipway_status api_read(const slipway_scene *scene, struct scene *out,
     struct fault fault = { "" };
     const enum status s =
         scene_read(out, scene->path, scene->set, scene->sets, &fault);
-
-    return api_answer(why, s, &fault);
-}
-
-slipway_status api_refuse_scatter(const struct scene *scene, const char *what,
-                                  slipway_fault *why)
-{
-    struct fault fault = { "" };
-    const enum status s = scene_scatter_refuse(scene, what, &fault);
 
     return api_answer(why, s, &fault);
 }

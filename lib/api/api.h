@@ -41,10 +41,6 @@ const struct monitor *api_monitor(const slipway_monitor *in,
 slipway_status api_read(const slipway_scene *scene, struct scene *out,
                         slipway_fault *why);
 
-/* BAD_SCENE where its inputs scatter: `what` does not tell what that makes. */
-slipway_status api_refuse_scatter(const struct scene *scene, const char *what,
-                                  slipway_fault *why);
-
 /* A state of the scene. */
 slipway_axis api_axis(const struct scene *scene, int axis);
 

@@ -1,6 +1,7 @@
 #include <stdlib.h>
 
 #include "api.h"
+#include "scene_scatter.h"
 #include "sweep.h"
 
 struct slipway_sweep {
@@ -20,7 +21,8 @@ slipway_status slipway_sweep_run(const slipway_scene *scene,
         return api_fault(why, SLIPWAY_NO_MEMORY, status_text(STATUS_NO_MEMORY));
     slipway_status s = api_read(scene, &w->scene, why);
     if (s == SLIPWAY_OK)
-        s = api_refuse_scatter(&w->scene, "sweep", why);
+        s = api_answer(why, scene_scatter_refuse(&w->scene, "sweep", &fault),
+                       &fault);
     if (s == SLIPWAY_OK && w->scene.sweep.axes == 0)
         s = api_fault(why, SLIPWAY_BAD_SCENE,
                       "the scene has no sweep, expected sweep.key and values");

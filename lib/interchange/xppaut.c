@@ -76,11 +76,10 @@ static void write_aux(FILE *out, bool psi_is_log)
             psi_is_log ? "psi" : "ln psi");
 }
 
-static void write_start(FILE *out, const char *const state[2], struct vec2 z,
-                        const char *between)
+static void write_start(FILE *out, const char *const state[2], struct vec2 z)
 {
-    fprintf(out, "%s=%s%s%s=%s", state[0], number_shortest(z.x).text, between,
-            state[1], number_shortest(z.y).text);
+    fprintf(out, "%s=%s,%s=%s", state[0], number_shortest(z.x).text, state[1],
+            number_shortest(z.y).text);
 }
 
 static void write_branches(FILE *out, const char *const state[2],
@@ -91,7 +90,7 @@ static void write_branches(FILE *out, const char *const state[2],
           out);
     for (size_t i = 0; i < x->branches; i++) {
         fprintf(out, "set %s {", x->branch[i].name);
-        write_start(out, state, x->branch[i].start, ",");
+        write_start(out, state, x->branch[i].start);
         fprintf(out, ",total=%.6g}\n", x->branch[i].length);
     }
 }
@@ -128,8 +127,8 @@ void xppaut_write(FILE *out, const struct interchange *x, enum xppaut_form form)
     write_rates(out, state, form);
     write_aux(out, law_psi_is_log(law));
     fputs("\ninit ", out);
-    write_start(out, state, form == XPPAUT_TIME ? x->start : x->branch[0].start,
-                ",");
+    write_start(out, state,
+                form == XPPAUT_TIME ? x->start : x->branch[0].start);
     fputs("\n", out);
     if (form == XPPAUT_ARCLENGTH)
         write_branches(out, state, x);
