@@ -73,18 +73,15 @@ struct steady_number numbers_steady(const struct block *b,
     return s;
 }
 
-struct saddle_numbers numbers_saddle(const struct steady_number *s)
-{
-    return (struct saddle_numbers){ s->v, s->psi, s->lambda_minus,
-                                    s->lambda_plus };
-}
-
 static const char no_saddle[] = "there is no saddle at this slope";
 
-struct saddle_numbers numbers_no_saddle(void)
+struct saddle_numbers numbers_saddle(const struct steady_number *s)
 {
     const struct quantity none = quantity_none(no_saddle);
-    return (struct saddle_numbers){ none, none, none, none };
+
+    return s ? (struct saddle_numbers){ s->v, s->psi, s->lambda_minus,
+                                        s->lambda_plus }
+             : (struct saddle_numbers){ none, none, none, none };
 }
 
 /* ---- folds ---------------------------------------------------------- */

@@ -71,8 +71,8 @@ double numbers_cancellation(const struct equilibrium *e);
  * nearest to e^x, and x a long double root of the balance (place.h). */
 double numbers_floor(const struct block *b);
 
+/* NULL: there is none. */
 struct saddle_numbers numbers_saddle(const struct steady_number *s);
-struct saddle_numbers numbers_no_saddle(void);
 
 struct fold_numbers numbers_folds(const struct law *law,
                                   const struct material *m);

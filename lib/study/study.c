@@ -33,8 +33,8 @@ STAGE(run_steady)
     (s->saddle_alone ? slider_init_saddle : slider_init)(
         &s->slider, &c->law, &c->material, c->tan_alpha);
     const int saddle = slider_saddle(&s->slider);
-    s->saddle_numbers = saddle >= 0 ? numbers_saddle(&s->slider.steady[saddle])
-                                    : numbers_no_saddle();
+    s->saddle_numbers =
+        numbers_saddle(saddle >= 0 ? &s->slider.steady[saddle] : NULL);
     s->cost[STAGE_STEADY].field_evaluations = s->slider.plane.equilibria + 1;
     return slider_check(&s->slider, why);
 }
