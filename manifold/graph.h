@@ -8,7 +8,9 @@
 
 struct graph_start {
     struct vec2 z; /* offset from the system's origin */
-    int ind;       /* the independent coordinate, ind = its value + unit s */
+    int ind;       /* its value and lean times the other one's are those of z,
+                      and unit s: what the graph is over */
+    double lean;
     double unit;
 };
 

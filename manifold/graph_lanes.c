@@ -20,15 +20,17 @@ static void set_start(struct expansion *e, const struct planar *const sys[],
                       const struct carry *carry,
                       const struct graph_start start[], size_t n)
 {
-    double unit[JET_LANES];
+    double unit[JET_LANES], lean[JET_LANES];
     int ind[JET_LANES];
 
     for (size_t i = 0; i < JET_LANES; i++) {
         e->start[i] = start[i < n ? i : 0];
         ind[i] = e->start[i].ind;
         unit[i] = e->start[i].unit;
+        lean[i] = e->start[i].lean;
     }
     plane_lanes_begin(&e->p, sys, n, carry, ind, unit);
+    plane_lanes_lean(&e->p, lean);
 #define X(i) e->start[i].z.x
 #define Y(i) e->start[i].z.y
     e->p.at[0][0] = JET_EACH(X);

@@ -42,25 +42,66 @@ static double unit_of(double step)
     return step > 1.0 / TOL_SAME ? ldexp(1.0, ilogb(step)) : 1.0;
 }
 
-/* y(x) or x(y)?  Keeps the outward sense across a change. */
+/* Over another coordinate, or leaning otherwise.  Keeps the outward sense. */
+static void turn(struct grower *g, int ind, double lean)
+{
+    const struct vec2 f = g->end.J.field.direction;
+    const struct vec2 off = local_point(g->ind, -g->lean, 1.0);
+    const double before = grower_along(g, f);
+
+    g->ind = ind;
+    g->lean = lean;
+    const double rate = grower_along(g, f) / before;
+    const double ahead = grower_along(g, off) / rate;
+    const double dep = grower_coordinate(f, 1 - ind) / before;
+    grow_error_turn(g, grower_coordinate(off, 1 - ind) - dep * ahead, ahead);
+    g->toward = rate >= 0.0 ? g->toward : -g->toward;
+    g->last *= fabs(rate);
+    grow_error_look(g, g->z);
+}
+
+/* By how much a graph that is to end leans, for who wants its end alone.  Where
+ * dep grows like e^(k ind)/k into a wall, as of y = -ln(1 - e^(k x))/k, the
+ * graph's steps are short for the wall, log(1 + k/slope)/k away, and those of
+ * the other one for the foot; over ind + dep/k no singularity is nearer than
+ * pi/k, at y' = -k.  So it leans while the wall is nearer than that, until the
+ * other one is flat. */
+static double lean_of(const struct grower *g)
+{
+    const struct vec2 f = g->end.J.field.direction;
+    const double slope =
+        grower_coordinate(f, 1 - g->ind) / grower_coordinate(f, g->ind);
+    const double bend = g->out.slope_i + g->out.slope_d * slope;
+    const double lean =
+        g->lean == 0.0 ? g->toward * fabs(slope) / bend : g->lean;
+    const double part = slope * lean;
+
+    return g->o->bare && !g->o->follower && g->unit == 1.0 && part > 0.0 &&
+                   part < TOL_SLOPE_STEEP && log1p(1.0 / part) < M_PI &&
+                   grower_room(g) > 2.0 * g->last
+               ? lean
+               : 0.0;
+}
+
+/* y(x) or x(y)? */
 static void choose_graph(struct grower *g)
 {
     const double dx = g->end.J.field.direction.x,
                  dy = g->end.J.field.direction.y;
     const double far = fmax(1.0, fabs(g->z.y) / TOL_SLOPE_FAR);
-    const double steep = g->ind == 0 ? TOL_SLOPE_STEEP : TOL_SLOPE_FLAT;
+    const double steep =
+        g->ind == 0 && g->lean == 0.0 ? TOL_SLOPE_STEEP : TOL_SLOPE_FLAT;
     const int now = fabs(dy) < steep * far * fabs(dx) ? 0 : 1;
+    const double lean = lean_of(g);
 
-    if (now == g->ind)
+    if (lean != 0.0 || now == g->ind) {
+        if (lean != g->lean)
+            turn(g, g->ind, lean);
         return;
-    const double slope = now == 1 ? dy / dx : dx / dy;
-    grow_error_turn(g, slope);
-    g->toward = slope >= 0.0 ? g->toward : -g->toward;
-    g->last *= fabs(slope);
+    }
+    turn(g, now, 0.0);
     if (g->unit >= 1.0)
         g->unit = far > 1.0 ? unit_of(g->last) : 1.0;
-    g->ind = now;
-    grow_error_look(g, g->z);
 }
 
 /* Whether both go by series of one order that carry the same, of planes that
@@ -91,7 +132,8 @@ static void expand(struct grower *const g[], size_t n)
 
     for (size_t i = 0; i < n; i++) {
         sys[i] = g[i]->sys;
-        start[i] = (struct graph_start){ g[i]->z, g[i]->ind, g[i]->unit };
+        start[i] =
+            (struct graph_start){ g[i]->z, g[i]->ind, g[i]->lean, g[i]->unit };
         u[i] = &g[i]->u;
         g[i]->order = o->order;
         g[i]->b->evaluations++;
@@ -154,12 +196,14 @@ static void advance(struct grower *g)
 static void look_for_end(struct grower *g, bool edge)
 {
     const struct grow_follower *f = g->o->follower;
+    const bool upright = f == NULL && g->lean == 0.0;
 
-    g->done = f ? f->ends(f->ctx, g->b, g->z, g->worst) : grow_end_close(g);
+    g->done = f ? f->ends(f->ctx, g->b, g->z, g->worst)
+                : upright && grow_end_close(g);
     if (f && g->done)
         g->b->end = BRANCH_EQUILIBRIUM;
     if (!g->done &&
-        (edge || (f == NULL && grow_end_is_open(g)) ||
+        (edge || (upright && grow_end_is_open(g)) ||
          !box_holds(g->sys->domain, vec2_add(g->sys->origin, g->z)))) {
         g->b->end = BRANCH_DOMAIN;
         g->done = true;
@@ -235,6 +279,8 @@ static void finish(struct grower *g)
 {
     struct branch *b = g->b;
 
+    if (g->lean != 0.0)
+        turn(g, g->ind, 0.0);
     b->limit = g->z;
     b->limit_off = g->miss.off;
     *(g->ind == 1 ? &b->error.x : &b->error.y) = grow_error_bound(&g->miss);

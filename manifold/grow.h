@@ -2,7 +2,8 @@
  * grow.h -- the stable manifold of a saddle, grown outward from its series.
  *
  * Backward along its stable manifold a saddle is not stiff: the graph y(x) or
- * x(y), whichever is flatter, is continued by Taylor steps.
+ * x(y), whichever is flatter, is continued by Taylor steps; where nobody wants
+ * pieces also the graph over a sum of both, which leans.
  */
 #pragma once
 
@@ -24,7 +25,7 @@ struct grow_options {
     double longest; /* of a step, along x or y; 0: as far as it holds */
     struct carry carry;
     bool bare; /* pieces are constants: where the branch was, for who wants its
-                  limits and what they are off by */
+                  limits and what they are off by; it leans where it may */
     const struct box *reach; /* absolute, borrowed; the branch is not closed
                                 inside it; NULL: close as soon as possible */
     const struct grow_follower *follower; /* borrowed.  With one a branch has no

@@ -26,14 +26,15 @@ void grow_error_look(struct grower *g, struct vec2 z)
     const struct planar_jacobian *J = &g->end.J;
     const bool over_x = g->ind == 0;
     const struct vec2 f = J->field.direction;
-    const double ind = over_x ? f.x : f.y, dep = over_x ? f.y : f.x;
-    const double ind_i = over_x ? J->matrix.xx : J->matrix.yy;
-    const double ind_d = over_x ? J->matrix.xy : J->matrix.yx;
+    const double ind = grower_along(g, f), lean = g->lean;
     const double dep_i = over_x ? J->matrix.yx : J->matrix.xy;
-    const double dep_d = over_x ? J->matrix.yy : J->matrix.xx;
+    const double dep_d = (over_x ? J->matrix.yy : J->matrix.xx) - lean * dep_i;
+    const double own_i = over_x ? J->matrix.xx : J->matrix.yy;
+    const double own_d = (over_x ? J->matrix.xy : J->matrix.yx) - lean * own_i;
+    const double ind_i = own_i + lean * dep_i, ind_d = own_d + lean * dep_d;
     const double unit = g->end.unit;
 
-    g->out.slope = dep / ind;
+    g->out.slope = grower_slope(g, f);
     g->out.slope_i = (dep_i - g->out.slope * ind_i) / ind;
     g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
     for (size_t i = 0; i < g->o->carry.count; i++) {
@@ -45,7 +46,8 @@ void grow_error_look(struct grower *g, struct vec2 z)
             sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z,
                                &rate, &gradient);
         const double rate_i = over_x ? gradient.x : gradient.y;
-        const double rate_d = over_x ? gradient.y : gradient.x;
+        const double rate_d =
+            (over_x ? gradient.y : gradient.x) - lean * rate_i;
         g->out.swift[i] = unit * rate / ind;
         g->out.swift_i[i] = unit * (rate_i - rate / ind * ind_i) / ind;
         g->out.swift_d[i] = unit * (rate_d - rate / ind * ind_d) / ind;
@@ -84,13 +86,12 @@ static void pass_on(struct grower *g, struct factor grown,
     g->miss = dep;
 }
 
-void grow_error_turn(struct grower *g, double slope)
+void grow_error_turn(struct grower *g, double turned, double ahead)
 {
-    const double turned = -1.0 / slope;
     struct factor drift[LOCAL_CARRY_MAX];
 
     for (size_t i = 0; i < g->o->carry.count; i++) {
-        const double late = turned * g->out.swift[i]; /* at another time */
+        const double late = -ahead * g->out.swift[i]; /* at another time */
         drift[i] = (struct factor){ late, fabs(late) };
     }
     pass_on(g, (struct factor){ turned, fabs(turned) }, drift);
@@ -118,10 +119,11 @@ static struct noise noise_at(const struct grower *g, struct vec2 z)
     const struct vec2 f = g->end.J.field.direction;
     const double x = fabs(m.xx * z.x) + fabs(m.xy * z.y);
     const double y = fabs(m.yx * z.x) + fabs(m.yy * z.y);
-    const double ind = fabs(g->ind == 0 ? f.x : f.y);
-    const double rate = TOL_ROUNDINGS_FEW +
-                        0.5 * fabs(g->end.J.field.log_scale) +
-                        (g->ind == 0 ? x : y) / ind;
+    const double own =
+        (g->ind == 0 ? x : y) + fabs(g->lean) * (g->ind == 0 ? y : x);
+    const double ind = fabs(grower_along(g, f));
+    const double rate =
+        TOL_ROUNDINGS_FEW + 0.5 * fabs(g->end.J.field.log_scale) + own / ind;
 
     return (struct noise){ DBL_EPSILON * (rate * fabs(g->out.slope) +
                                           (g->ind == 0 ? y : x) / ind),
@@ -241,14 +243,13 @@ static double integral_off(const struct grower *g, size_t i, double s)
 {
     const struct planar *sys = g->sys;
     const double dep = jet_at(g->order, g->u.at[1 - g->ind], s);
-    const struct vec2 z =
-        local_point(g->ind, g->u.at[g->ind][0] + s * g->unit, dep);
+    const struct vec2 z = grower_point(g, s, dep);
     struct planar_field f;
     double rate;
 
     sys->field(sys->ctx, z, &f);
     sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate, NULL);
-    const double ind = g->ind == 0 ? f.direction.x : f.direction.y;
+    const double ind = grower_along(g, f.direction);
     return fabs(g->unit * exp(-f.log_scale) * rate / ind -
                 jet_slope_at(g->order, g->u.integral[i], s));
 }
@@ -304,7 +305,8 @@ void grow_error_step(struct grower *g)
     carry_over(g, &before);
     const struct noise noise = noise_at(g, g->at_end);
     const struct graph_miss own = own_dep(g, &noise, &before);
-    const double place = fabs(dep[0]) + fabs(g->out.slope * g->u.at[g->ind][0]);
+    const double over = fabs(g->u.at[g->ind][0]) + fabs(g->lean * dep[0]);
+    const double place = fabs(dep[0]) + fabs(g->out.slope) * over;
     add(&g->miss, own, noise.slope * way + 0.5 * DBL_EPSILON * place);
     g->piece.bar += own.bar;
     g->worst = fmax(entering, grow_error_bound(&g->miss));

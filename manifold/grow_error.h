@@ -12,8 +12,9 @@ double grow_error_bound(const struct grow_miss *m);
 /* From the field at the end of the last step, z: g->out. */
 void grow_error_look(struct grower *g, struct vec2 z);
 
-/* Of dep along the other axis, `slope` = d dep/d ind: the same curve. */
-void grow_error_turn(struct grower *g, double slope);
+/* The same curve as another graph: an error of dep becomes `turned` times as
+ * much, and what it was `ahead` by along what the old graph is over. */
+void grow_error_turn(struct grower *g, double turned, double ahead);
 
 /* Beyond the last step: an error of dep becomes `grown` times as much and adds
  * drift[i] times as much to integral i's. */

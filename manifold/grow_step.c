@@ -8,30 +8,28 @@
 
 /* What an error of the unknown is measured against: y against the distance
  * from the saddle, x - which has the limit we are after - against itself, or
- * where it passes through zero against the curve's rise. */
+ * where it passes through zero against the curve's rise.  Where a graph leans,
+ * the other one is off by lean times that. */
 static double scale_of_unknown(const struct grower *g)
 {
     const double x = fabs(g->u.at[0][0]), y = fabs(g->u.at[1][0]);
     const double rise = fabs(g->u.slope) * y;
 
-    return g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0));
+    return (g->ind == 0 ? x + y : fmax(x, fmin(rise, 1.0))) /
+           fmax(1.0, fabs(g->lean));
 }
 
-/* Shortens the step so that the independent coordinate stays in the domain;
- * true when the step now ends on the edge. */
+/* Shortens the step so that the independent coordinate, which goes no further
+ * than what a graph that leans is over, stays in the domain; true when the step
+ * now ends on the edge. */
 static bool clip_to_domain(struct grower *g)
 {
-    const struct planar *sys = g->sys;
-    const double here =
-        g->u.at[g->ind][0] + grower_coordinate(sys->origin, g->ind);
-    const double edge = grower_coordinate(
-        g->toward > 0 ? sys->domain.hi : sys->domain.lo, g->ind);
-    const double room = (edge - here) * g->toward / g->unit;
+    const double room = grower_room(g) / g->unit;
 
     if (room > g->h)
         return false;
     g->h = fmax(room, 0.0);
-    return true;
+    return g->lean == 0.0;
 }
 
 void grow_step_choose(struct grower *const g[], size_t n)
@@ -75,7 +73,7 @@ static double slope_allowed(const struct grower *g)
 /* How far the field's slope at a point is above that of the series, by s. */
 static double slope_off(const struct grower *g, double by_s, struct vec2 field)
 {
-    return local_quotient(g->ind, field) - by_s / g->unit;
+    return grower_slope(g, field) - by_s / g->unit;
 }
 
 /* What rounding makes of it. */
@@ -120,8 +118,7 @@ static void go(struct grower *const g[], size_t count, size_t n,
     graph_ends(g[0]->order, count * n, u, s, end);
     for (size_t i = 0; i < count * n; i++) {
         const struct grower *of = g[i / n];
-        z[i] = local_point(of->ind, of->u.at[of->ind][0] + s[i] * of->unit,
-                           end[i].value);
+        z[i] = grower_point(of, s[i], end[i].value);
     }
 }
 
@@ -230,7 +227,7 @@ void grow_step_try(struct grower *const g[], size_t n)
         const double by_s = g[i]->dep_end.slope;
         g[i]->kink = 0.0;
         g[i]->holds = slope_holds(g[i], by_s, slope_off(g[i], by_s, field));
-        if (g[i]->holds && is_doubtful(g[i], local_quotient(g[i]->ind, field)))
+        if (g[i]->holds && is_doubtful(g[i], grower_slope(g[i], field)))
             doubtful[doubts++] = g[i];
     }
     look_on_the_way(doubtful, doubts);

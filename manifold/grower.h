@@ -30,8 +30,10 @@ struct grower {
     struct branch *b;
     bool done;
     enum status failed;
-    double tol;    /* of a step, part of what it changes */
-    int ind;       /* independent coordinate */
+    double tol; /* of a step, part of what it changes */
+    int ind;    /* independent coordinate, to which it leans: it is a graph
+                   over that and lean times the other one, dep */
+    double lean;
     int toward;    /* sign of its steps */
     struct vec2 z; /* where it is, and its integrals so far */
     double total[LOCAL_CARRY_MAX];
@@ -61,4 +63,41 @@ struct grower {
 static inline double grower_coordinate(struct vec2 z, int i)
 {
     return i == 0 ? z.x : z.y;
+}
+
+/* How far the independent coordinate may go. */
+static inline double grower_room(const struct grower *g)
+{
+    const struct box domain = g->sys->domain;
+    const double edge =
+        grower_coordinate(g->toward > 0 ? domain.hi : domain.lo, g->ind);
+    const double here = grower_coordinate(g->z, g->ind) +
+                        grower_coordinate(g->sys->origin, g->ind);
+
+    return (edge - here) * g->toward;
+}
+
+/* Of a direction: along what the graph is over, and dep's slope by that. */
+static inline double grower_along(const struct grower *g, struct vec2 d)
+{
+    const double ind = grower_coordinate(d, g->ind);
+
+    return g->lean == 0.0 ? ind
+                          : ind + g->lean * grower_coordinate(d, 1 - g->ind);
+}
+
+static inline double grower_slope(const struct grower *g, struct vec2 d)
+{
+    return grower_coordinate(d, 1 - g->ind) / grower_along(g, d);
+}
+
+/* The point of its series at s, where dep is told. */
+static inline struct vec2 grower_point(const struct grower *g, double s,
+                                       double dep)
+{
+    const double over = g->u.at[g->ind][0] + s * g->unit;
+    const double less =
+        g->lean == 0.0 ? 0.0 : g->lean * (dep - g->u.at[1 - g->ind][0]);
+
+    return local_point(g->ind, over - less, dep);
 }

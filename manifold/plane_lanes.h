@@ -13,6 +13,8 @@ struct plane_lanes {
     const struct carry *carry;
     jet_pair unit;
     jet_mask over_y; /* the lanes whose independent coordinate is y */
+    bool leans;      /* some lean (graph.h) */
+    jet_pair lean;
     struct jet_work work;
     jet_pair at[2][JET_SIZE], f[2][JET_SIZE];
     jet_pair rate[LOCAL_CARRY_MAX][JET_SIZE];
@@ -26,6 +28,7 @@ static inline void plane_lanes_begin(struct plane_lanes *p,
 {
     bool same = true;
 
+    p->leans = false;
     p->sys = sys[0];
     p->carry = carry;
     for (size_t i = 0; i < JET_LANES; i++) {
@@ -42,12 +45,33 @@ static inline void plane_lanes_begin(struct plane_lanes *p,
     p->work.lanes = (int) n;
 }
 
+/* Where lanes lean, each by so much; after plane_lanes_begin. */
+static inline void plane_lanes_lean(struct plane_lanes *p, const double lean[])
+{
+#define LEAN(i) lean[i]
+    p->lean = JET_EACH(LEAN);
+#undef LEAN
+    for (size_t i = 0; i < JET_LANES; i++)
+        p->leans |= lean[i] != 0.0;
+    if (p->leans)
+        p->work.linear = NULL;
+}
+
+/* u + lean v in lanes that lean. */
+static inline jet_pair plane_lanes_leaning(const struct plane_lanes *p,
+                                           jet_pair u, jet_pair v)
+{
+    return p->leans ? jet_choose(p->lean != JET_PAIR(0.0), u + p->lean * v, u)
+                    : u;
+}
+
 /* Order k of where they are, dep being the dependent coordinate's; k >= 1 where
  * they do not begin at 0. */
 static inline void plane_lanes_place(struct plane_lanes *p, size_t k,
                                      jet_pair dep)
 {
-    const jet_pair ahead = k == 1 ? p->unit : JET_PAIR(0.0);
+    const jet_pair over = k == 1 ? p->unit : JET_PAIR(0.0);
+    const jet_pair ahead = plane_lanes_leaning(p, over, -dep);
 
     p->at[0][k] = jet_choose(p->over_y, dep, ahead);
     p->at[1][k] = jet_choose(p->over_y, ahead, dep);
@@ -77,13 +101,15 @@ static inline void plane_lanes_rate(struct plane_lanes *p, size_t i, size_t k)
 #endif
 }
 
-/* The field's component along the independent coordinate, and the other. */
-static inline jet_pair plane_lanes_ind(const struct plane_lanes *p, size_t k)
-{
-    return jet_choose(p->over_y, p->f[1][k], p->f[0][k]);
-}
-
+/* The field's component along what the graph is over, and the other. */
 static inline jet_pair plane_lanes_dep(const struct plane_lanes *p, size_t k)
 {
     return jet_choose(p->over_y, p->f[0][k], p->f[1][k]);
+}
+
+static inline jet_pair plane_lanes_ind(const struct plane_lanes *p, size_t k)
+{
+    const jet_pair ind = jet_choose(p->over_y, p->f[1][k], p->f[0][k]);
+
+    return plane_lanes_leaning(p, ind, plane_lanes_dep(p, k));
 }

@@ -59,6 +59,8 @@ static inline struct material row_material(const struct csv *c)
 
 /* Branches are not closed inside this box; NULL: as soon as possible. */
 static const struct box *solve_reach;
+/* Whether for numbers alone, without knees. */
+static bool solve_bare;
 
 static inline enum status solve_branches(struct solved *s, double rtol)
 {
@@ -68,6 +70,7 @@ static inline enum status solve_branches(struct solved *s, double rtol)
 
     o.carry = (struct carry){ { BLOCK_EXCESS }, 1 };
     o.reach = solve_reach;
+    o.bare = solve_bare;
     enum status status = local_at(&s->system, &s->saddle, MANIFOLD_STABLE,
                                   &o.carry, o.order, 0.01 * rtol, &u);
     const bool up = u.ind == 0 || u.c[1] > 0.0;
@@ -78,7 +81,8 @@ static inline enum status solve_branches(struct solved *s, double rtol)
     s->upper = branch[up ? 0 : 1];
     s->lower = branch[up ? 1 : 0];
     s->numbers = numbers_critical(&s->block, &s->saddle, &s->upper, &s->lower);
-    numbers_knees(&s->block, &s->system, &s->upper, &s->lower, &s->numbers);
+    if (!solve_bare)
+        numbers_knees(&s->block, &s->system, &s->upper, &s->lower, &s->numbers);
     return STATUS_OK;
 }
 

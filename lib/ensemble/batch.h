@@ -6,10 +6,12 @@
  *     batch_run(&b, draws, column, 0, NULL, out);
  *     batch_free(&b);
  *
- * Each draw is a study, as `knees --set KEY=VALUE ...` makes it: the same bits,
- * at any number of threads and in any company.  What does not change from draw
- * to draw is set up once: keys and numbers are found, and of the stages only
- * those run that the numbers named need.  Numbers of systems of formulas, and
+ * Each draw is a study, as `knees --set KEY=VALUE ...` makes it, with the same
+ * bits at any number of threads and in any company: those of `knees`, but that
+ * branches of which the ends alone are asked lean (grow.h), and tell them
+ * within their bars.  What does not change from draw to draw is set up once:
+ * keys and numbers are found, and of the stages only those run that the numbers
+ * named need.  Numbers of systems of formulas, and
  * of what else a sweep has by name, such as basin_fraction_log_creep, are those
  * of its points (batch_points.h).
  */

@@ -10,7 +10,7 @@
 #include "study.h"
 #include "sweeps.h"
 
-enum { DRAWS = 200, KEYS = 4, NUMBERS = 5, PUSHES = 3 };
+enum { DRAWS = 200, KEYS = 4, BRANCHED = 3, NUMBERS = 5, PUSHES = 3 };
 
 static const char *const keys[KEYS] = { "material.a", "material.b",
                                         "slope.alpha", "material.L" };
@@ -85,16 +85,21 @@ static void scene_of_draw(struct scene *scene, const char *law,
     scene_set(scene, sets);
 }
 
+/* As the study that keeps its branches, which do not lean, has it: where these
+ * tell the number, within both bars. */
 static void compare(const struct draws *d, int i, int n,
                     const struct quantity *q)
 {
+    const double off = fabs(d->number[n][i] - q->value);
+
     if (!quantity_exists(q)) {
         assert_string_equal(d->reason[n][i], q->reason);
         assert_true(isnan(d->number[n][i]) && isnan(d->error[n][i]));
         return;
     }
-    CHECK(d->reason[n][i] == NULL && d->number[n][i] == q->value &&
-              d->error[n][i] == q->error,
+    CHECK(d->reason[n][i] == NULL &&
+              (n < BRANCHED ? off <= d->error[n][i] + q->error
+                            : off == 0.0 && d->error[n][i] == q->error),
           "%s at draw %d: %.17g +- %g (%s), alone %.17g +- %g", names[n], i,
           d->number[n][i], d->error[n][i],
           d->reason[n][i] ? d->reason[n][i] : "", q->value, q->error);

@@ -138,7 +138,8 @@ static void series_are_those_of_each_alone(void **state)
                 plane[n].many = many[w];
                 sys[n] = &plane[n];
                 out[n] = &u[n];
-                start[n] = (struct graph_start){ z[n], (int) n % 2, 1.0 };
+                start[n] = (struct graph_start){ z[n], (int) n % 2,
+                                                 0.25 * (double) (n % 3), 1.0 };
                 if (!many_alike(&plane[0], &plane[n]))
                     break;
             }
