@@ -318,13 +318,15 @@ static bool goes_on(const struct study_job job[], size_t n)
 }
 
 /* All but the block, which is large and made by block_init. */
-static void clear(struct study *s)
+static void clear(struct study *s, bool saddle_alone)
 {
     const size_t block = offsetof(struct study, slider.block);
     const size_t rest = block + sizeof s->slider.block;
+    const size_t end =
+        saddle_alone ? offsetof(struct study, chosen) : sizeof *s;
 
     memset(s, 0, block);
-    memset((char *) s + rest, 0, sizeof *s - rest);
+    memset((char *) s + rest, 0, end - rest);
 }
 
 static void begin(struct study_job *job, unsigned stages)
@@ -332,7 +334,7 @@ static void begin(struct study_job *job, unsigned stages)
     const struct scene *scene = job->scene;
 
     job->why.text[0] = '\0';
-    clear(job->study);
+    clear(job->study, stages & PLAN_SADDLE);
     job->study->scene = scene;
     job->study->stages = stages & ~PLAN_SADDLE;
     job->study->saddle_alone = stages & PLAN_SADDLE;

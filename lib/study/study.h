@@ -53,19 +53,19 @@ struct study {
     struct branch stable[SIDES];  /* owned */
     struct orbit unstable[SIDES]; /* owned; start at the series' end */
     struct portrait portrait;     /* owned; trajectories: the spread ones */
-    struct trajectories chosen;   /* owned; from the scene's own starts */
+    struct result_keep kept;      /* owned; what tables say how to make */
+    struct stage_cost cost[STAGES];
+
+    /* Of a saddle alone nobody reads or clears what follows. */
+    struct trajectories chosen; /* owned; from the scene's own starts */
     struct taylor_series taylor;
     struct estimate_numbers estimates;
     struct sensitivities sensitivities;
     struct basin_map basins;
     struct fields fields;
-    struct diagrams diagrams; /* owned */
-
-    struct result_keep kept;        /* owned; what tables say how to make */
+    struct diagrams diagrams;       /* owned */
     struct study_proof proof;       /* owned */
     struct basin_proof label_proof; /* owned; of basins */
-
-    struct stage_cost cost[STAGES];
 };
 
 /* STATUS_OK also where something does not exist: the reason is in the number.
