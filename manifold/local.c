@@ -57,17 +57,17 @@ static double radius_of(const double u[], size_t order, double tol)
     return radius;
 }
 
-/* The series' slope against the field's at +-s, relative; terms below the least
- * double are lost. */
-static double slope_defect(const struct planar *sys,
-                           const struct local_series *u, double s)
+/* The series' slope at -s and s against that of the field, which is seen there,
+ * relative; terms below the least double are lost. */
+static double slope_defect(const struct local_series *u, double s,
+                           const struct planar_look seen[2])
 {
     double worst = 0.0;
 
-    for (int side = -1; side <= 1; side += 2) {
-        const double t = side * s;
+    for (int i = 0; i < 2; i++) {
+        const double t = i == 0 ? -s : s;
         const double slope = jet_slope_at(u->order, u->c, t) / u->unit;
-        const double field = local_slope(sys, u->ind, local_series_at(u, t));
+        const double field = local_quotient(u->ind, seen[i].J.field.direction);
         const double lost = TOL_ROUNDINGS * DBL_TRUE_MIN / u->unit;
         const double off = fdim(fabs(slope - field), lost);
         const double size = fabs(slope) + fabs(u->c[1] / u->unit);
@@ -93,24 +93,65 @@ static double slope_rounding(const struct equilibrium *e, double lambda,
     return 8.0 * DBL_EPSILON * (lost + 32.0);
 }
 
-static enum status find_radius(const struct local_job *j)
+/* By its terms. */
+static double radius_at_most(const struct local_job *j)
 {
-    struct local_series *u = j->out;
-    const double rounding = slope_rounding(
-        j->e, j->e->scaled[j->kind == MANIFOLD_STABLE ? 0 : 1], u);
+    const struct local_series *u = j->out;
     double radius = radius_of(u->c, u->order, j->tol);
 
     for (size_t i = 0; i < j->carry->count; i++)
         if (u->converges[i] && fabs(u->integral[i][1]) > INTEGRAL_NIL)
             radius = fmin(radius, radius_of(u->integral[i], u->order, j->tol));
-    radius = fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
-    for (int i = 0; i < 60; i++, radius *= 0.5) {
-        u->radius = radius;
-        if (slope_defect(j->sys, u, radius) <=
-            TOL_SLOPE_CHECK * j->tol + rounding)
-            return STATUS_OK;
+    return fmin(0.9 * radius, TOL_SERIES_RADIUS_MAX);
+}
+
+/* Whether the field agrees with j's series at its radius. */
+static bool holds(const struct local_job *j, const struct planar_look seen[2])
+{
+    const struct local_series *u = j->out;
+    const double rounding = slope_rounding(
+        j->e, j->e->scaled[j->kind == MANIFOLD_STABLE ? 0 : 1], u);
+
+    return slope_defect(u, u->radius, seen) <=
+           TOL_SLOPE_CHECK * j->tol + rounding;
+}
+
+/* Halves the radii of those where it does not; returns how many these are, the
+ * first ones of job then.  All are of planes that are alike. */
+static size_t halve(struct local_job *job[], size_t n)
+{
+    const struct planar *sys[2 * LOCAL_JOBS];
+    struct planar_look seen[2 * LOCAL_JOBS];
+    struct vec2 z[2 * LOCAL_JOBS];
+    size_t left = 0;
+
+    for (size_t i = 0; i < 2 * n; i++) {
+        const struct local_series *u = job[i / 2]->out;
+        sys[i] = job[i / 2]->sys;
+        z[i] = local_series_at(u, i % 2 ? u->radius : -u->radius);
     }
-    return STATUS_NO_CONVERGENCE;
+    many_at(sys, 2 * n, z, -1, false, seen);
+    for (size_t i = 0; i < n; i++)
+        if (holds(job[i], &seen[2 * i])) {
+            job[i]->status = STATUS_OK;
+        } else {
+            job[i]->out->radius *= 0.5;
+            job[left++] = job[i];
+        }
+    return left;
+}
+
+static void find_radii(struct local_job *const job[], size_t n)
+{
+    struct local_job *left[LOCAL_JOBS];
+
+    for (size_t i = 0; i < n; i++) {
+        left[i] = job[i];
+        job[i]->out->radius = radius_at_most(job[i]);
+        job[i]->status = STATUS_NO_CONVERGENCE;
+    }
+    for (int i = 0; i < 60 && n > 0; i++)
+        n = halve(left, n);
 }
 
 /* The length over which the field changes, in units: from the larger of the
@@ -220,11 +261,11 @@ void local_jobs(struct local_job job[], size_t n)
         if (job[i].status == STATUS_OK)
             good[count++] = &job[i];
     }
-    for (size_t i = 0; i < count;)
-        i += build(good + i, count - i, 1.0);
-    for (size_t i = 0; i < count; i++) {
-        shrink(good[i]);
-        good[i]->status = find_radius(good[i]);
+    for (size_t i = 0, some; i < count; i += some) {
+        some = build(good + i, count - i, 1.0);
+        for (size_t k = i; k < i + some; k++)
+            shrink(good[k]);
+        find_radii(good + i, some);
     }
 }
 
