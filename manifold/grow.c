@@ -109,7 +109,7 @@ static void choose_graph(struct grower *g)
 static bool is_alike(const struct grower *g, const struct grower *other)
 {
     return g->kin == other->kin && g->o->order == other->o->order &&
-           many_carry_alike(&g->o->carry, &other->o->carry);
+           many_carry_alike(g->carry, other->carry);
 }
 
 /* How many of the first of n are. */
@@ -139,8 +139,8 @@ static void expand(struct grower *const g[], size_t n)
         g[i]->b->evaluations++;
     }
     for (size_t i = 0; i < n;)
-        i +=
-            graph_expand(sys + i, &o->carry, o->order, n - i, start + i, u + i);
+        i += graph_expand(sys + i, g[0]->carry, o->order, n - i, start + i,
+                          u + i);
 }
 
 /* Writes u(s theta), with `start` for its constant, as polynomial in theta;
@@ -167,7 +167,7 @@ static enum status store_step(struct grower *g)
     g->b->curve.piece[g->b->curve.count - 1].error = g->worst;
     store_series(g->u.at[0], n, g->u.at[0][0], power, coef);
     store_series(g->u.at[1], n, g->u.at[1][0], power, coef + (n + 1));
-    for (size_t i = 0; i < g->o->carry.count; i++)
+    for (size_t i = 0; i < g->carry->count; i++)
         store_series(g->u.integral[i], n, g->total[i], power,
                      coef + (i + 2) * (n + 1));
     g->piece = (struct branch_miss){ .grown = 1.0 };
@@ -178,7 +178,7 @@ static enum status store_step(struct grower *g)
 static void move(struct grower *g)
 {
     g->z = g->at_end;
-    for (size_t i = 0; i < g->o->carry.count; i++)
+    for (size_t i = 0; i < g->carry->count; i++)
         g->total[i] += g->integral_end[i].value;
 }
 
@@ -244,14 +244,14 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
 {
     *g->b = (struct branch){ .kind = MANIFOLD_STABLE,
                              .side = side,
-                             .carry = g->o->carry,
-                             .curve = CURVE_EMPTY(2 + g->o->carry.count),
+                             .carry = *g->carry,
+                             .curve = CURVE_EMPTY(2 + g->carry->count),
                              .end = BRANCH_STEPS };
     g->piece = (struct branch_miss){ .grown = 1.0 };
     g->u = (struct graph_series){ .at = { [0] = { 0.0 } } };
     g->u.at[u->ind][1] = u->unit;
     memcpy(g->u.at[1 - u->ind], u->c, sizeof u->c);
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         memcpy(g->u.integral[i], u->integral[i], sizeof u->integral[i]);
         g->b->from_saddle[i] = u->converges[i];
     }
@@ -284,7 +284,7 @@ static void finish(struct grower *g)
     b->limit = g->z;
     b->limit_off = g->miss.off;
     *(g->ind == 1 ? &b->error.x : &b->error.y) = grow_error_bound(&g->miss);
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         b->total[i] = g->total[i];
         b->total_off[i] = g->total_miss[i].off;
         b->total_error[i] = grow_error_bound(&g->total_miss[i]) + INTEGRAL_NIL;
@@ -297,11 +297,12 @@ static size_t step_all(struct grower g[], size_t n)
     struct grower *busy[GROWERS];
     size_t count = 0;
 
-    for (size_t i = 0; i < n; i++)
-        if (!g[i].done) {
-            choose_graph(&g[i]);
-            busy[count++] = &g[i];
-        }
+    for (int carries = 1; carries >= 0; carries--)
+        for (size_t i = 0; i < n; i++)
+            if (!g[i].done && (g[i].carry->count > 0) == carries) {
+                choose_graph(&g[i]);
+                busy[count++] = &g[i];
+            }
     for (size_t i = 0, some; i < count; i += some) {
         some = count_alike(&busy[i], count - i);
         expand(&busy[i], some);
@@ -315,11 +316,15 @@ static size_t step_all(struct grower g[], size_t n)
 
 static struct grower grower_of(const struct grow_job *job, int i)
 {
+    static const struct carry none = { .count = 0 };
     const struct grow_options *o = job->options;
+    const bool carries = job->carries * (i == 0 ? 1 : -1) >= 0;
+    const struct carry *carry = carries ? &o->carry : &none;
 
-    job->out[i] = (struct branch){ .curve = CURVE_EMPTY(2 + o->carry.count) };
+    job->out[i] = (struct branch){ .curve = CURVE_EMPTY(2 + carry->count) };
     return (struct grower){ .sys = job->sys,
                             .o = o,
+                            .carry = carry,
                             .b = &job->out[i],
                             .tol = TOL_TAYLOR_STEP * o->rtol };
 }
@@ -385,7 +390,7 @@ enum status grow_branches(const struct planar *sys,
                           const struct local_series *start,
                           const struct grow_options *o, struct branch out[2])
 {
-    struct grow_job job = { sys, start, o, 0, out, STATUS_OK };
+    struct grow_job job = { sys, start, o, 0, 0, out, STATUS_OK };
 
     grow_jobs(&job, 1);
     return job.status;
@@ -396,7 +401,7 @@ enum status grow_branch(const struct planar *sys,
                         const struct grow_options *o, struct branch *out)
 {
     struct branch both[2];
-    struct grow_job job = { sys, start, o, side, both, STATUS_OK };
+    struct grow_job job = { sys, start, o, side, 0, both, STATUS_OK };
 
     grow_jobs(&job, 1);
     *out = both[side > 0 ? 0 : 1];

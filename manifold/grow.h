@@ -56,6 +56,7 @@ struct grow_job {
     const struct local_series *start;
     const struct grow_options *options;
     int side;           /* 0: both, +1 or -1: one; the other is empty */
+    int carries;        /* likewise; the other one carries nothing */
     struct branch *out; /* [2] */
     enum status status; /* when it is done */
 };

@@ -15,7 +15,7 @@ static bool hardly_changes(const struct grower *g, double part)
 
     if (!(fabs(g->out.slope) <= part * fmin(1.0, unknown)))
         return false;
-    for (size_t i = 0; i < g->o->carry.count; i++)
+    for (size_t i = 0; i < g->carry->count; i++)
         if (g->b->from_saddle[i] &&
             !(fabs(g->out.swift[i]) <= part * fabs(g->total[i])))
             return false;
@@ -63,7 +63,7 @@ static struct tail_most most_of(const struct grower *g)
     struct tail_most most = { .unknown =
                                   late ? HUGE_VAL : part * fmin(1.0, unknown) };
 
-    for (size_t i = 0; i < g->o->carry.count; i++)
+    for (size_t i = 0; i < g->carry->count; i++)
         most.integral[i] =
             late || !g->b->from_saddle[i] ? HUGE_VAL : part * fabs(g->total[i]);
     return most;
@@ -76,8 +76,8 @@ bool grow_end_close(struct grower *g)
     if (!may_close(g))
         return false;
     const struct tail_most most = most_of(g);
-    if (!close_tail(g->sys, g->ind, g->toward, g->z, &g->end, &g->o->carry,
-                    &most, &t) ||
+    if (!close_tail(g->sys, g->ind, g->toward, g->z, &g->end, g->carry, &most,
+                    &t) ||
         !has_limit(g))
         return false;
     grow_error_tail(g, 1.0 + t.unknown_by_dep, t.integral_by_dep);
@@ -85,7 +85,7 @@ bool grow_end_close(struct grower *g)
     g->b->sign = g->toward;
     *(g->ind == 1 ? &g->z.x : &g->z.y) += t.unknown;
     g->miss.bar += TOL_BAR_FIRST_ORDER * t.unknown_error;
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         g->total[i] += t.integral[i];
         g->total_miss[i].bar += TOL_BAR_FIRST_ORDER * t.integral_error[i];
     }

@@ -37,14 +37,14 @@ void grow_error_look(struct grower *g, struct vec2 z)
     g->out.slope = grower_slope(g, f);
     g->out.slope_i = (dep_i - g->out.slope * ind_i) / ind;
     g->out.slope_d = (dep_d - g->out.slope * ind_d) / ind;
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         double rate = g->end.rate;
         struct vec2 gradient = g->end.gradient;
         if (!g->b->from_saddle[i])
             continue;
-        if (many_carried(&g->o->carry) < 0)
-            sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z,
-                               &rate, &gradient);
+        if (many_carried(g->carry) < 0)
+            sys->rate_gradient(sys->ctx, (size_t) g->carry->which[i], z, &rate,
+                               &gradient);
         const double rate_i = over_x ? gradient.x : gradient.y;
         const double rate_d =
             (over_x ? gradient.y : gradient.x) - lean * rate_i;
@@ -75,7 +75,7 @@ static void pass_on(struct grower *g, struct factor grown,
     struct branch_miss *p = &g->piece;
     struct grow_miss dep = { 0 };
 
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         pass(&g->total_miss[i], &g->miss, drift[i]);
         p->drift[i] += p->grown * drift[i].mean;
         p->total_bar[i] += (drift[i].most - fabs(drift[i].mean)) * off;
@@ -90,7 +90,7 @@ void grow_error_turn(struct grower *g, double turned, double ahead)
 {
     struct factor drift[LOCAL_CARRY_MAX];
 
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         const double late = -ahead * g->out.swift[i]; /* at another time */
         drift[i] = (struct factor){ late, fabs(late) };
     }
@@ -101,7 +101,7 @@ void grow_error_tail(struct grower *g, double grown, const double drift[])
 {
     struct factor late[LOCAL_CARRY_MAX];
 
-    for (size_t i = 0; i < g->o->carry.count; i++)
+    for (size_t i = 0; i < g->carry->count; i++)
         late[i] = (struct factor){ drift[i], fabs(drift[i]) };
     pass_on(g, (struct factor){ grown, fabs(grown) }, late);
 }
@@ -187,7 +187,7 @@ static void carry_over(struct grower *g, const struct outward *before)
     const struct factor grown = { exp(mean), exp(mean) * more };
     struct factor drift[LOCAL_CARRY_MAX];
 
-    for (size_t i = 0; i < g->o->carry.count; i++) {
+    for (size_t i = 0; i < g->carry->count; i++) {
         const double e = turn * g->out.swift_d[i] * grown.mean;
         drift[i] = between(turn * before->swift_d[i], e);
         drift[i].most += 0.5 * fabs(e) * (more - 1.0);
@@ -248,7 +248,7 @@ static double integral_off(const struct grower *g, size_t i, double s)
     double rate;
 
     sys->field(sys->ctx, z, &f);
-    sys->rate_gradient(sys->ctx, (size_t) g->o->carry.which[i], z, &rate, NULL);
+    sys->rate_gradient(sys->ctx, (size_t) g->carry->which[i], z, &rate, NULL);
     const double ind = grower_along(g, f.direction);
     return fabs(g->unit * exp(-f.log_scale) * rate / ind -
                 jet_slope_at(g->order, g->u.integral[i], s));
@@ -310,6 +310,6 @@ void grow_error_step(struct grower *g)
     add(&g->miss, own, noise.slope * way + 0.5 * DBL_EPSILON * place);
     g->piece.bar += own.bar;
     g->worst = fmax(entering, grow_error_bound(&g->miss));
-    for (size_t i = 0; i < g->o->carry.count; i++)
+    for (size_t i = 0; i < g->carry->count; i++)
         add_integral(g, i, &noise, &before, own.value);
 }

@@ -50,7 +50,7 @@ void grow_step_choose(struct grower *const g[], size_t n)
         if (g[i]->o->longest > 0.0)
             g[i]->h = fmin(g[i]->h, g[i]->o->longest / g[i]->unit);
     }
-    for (size_t k = 0; k < g[0]->o->carry.count; k++) {
+    for (size_t k = 0; k < g[0]->carry->count; k++) {
         for (size_t i = 0; i < n; i++) {
             u[i] = g[i]->u.integral[k];
             to[i] = fabs(g[i]->total[k]) + fabs(u[i][1]) * g[i]->h;
@@ -197,14 +197,14 @@ static void look_on_the_way(struct grower *const g[], size_t n)
 
 void grow_step_look(struct grower *const g[], size_t n)
 {
-    const int which = many_carried(&g[0]->o->carry);
+    const int which = many_carried(g[0]->carry);
     const struct planar *sys[GROWERS];
     struct planar_look seen[GROWERS];
     struct graph_end end[GROWERS];
     struct vec2 z[GROWERS];
 
     go(g, n, 1, (const double[]){ 1.0 }, end, z);
-    for (size_t k = 0; k < g[0]->o->carry.count; k++)
+    for (size_t k = 0; k < g[0]->carry->count; k++)
         integrals_at_ends(g, n, k);
     for (size_t i = 0; i < n; i++)
         sys[i] = g[i]->sys;

@@ -27,6 +27,7 @@ struct grow_miss {
 struct grower {
     const struct planar *sys;
     const struct grow_options *o;
+    const struct carry *carry; /* what rides along */
     struct branch *b;
     bool done;
     enum status failed;

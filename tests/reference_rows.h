@@ -59,11 +59,13 @@ static inline struct material row_material(const struct csv *c)
 
 /* Branches are not closed inside this box; NULL: as soon as possible. */
 static const struct box *solve_reach;
-/* Whether for numbers alone, without knees. */
+/* Whether for numbers alone, without knees; every other time without
+ * x_deficit. */
 static bool solve_bare;
 
 static inline enum status solve_branches(struct solved *s, double rtol)
 {
+    static unsigned times;
     struct grow_options o = grow_defaults(rtol);
     struct branch branch[2];
     struct local_series u;
@@ -74,8 +76,14 @@ static inline enum status solve_branches(struct solved *s, double rtol)
     enum status status = local_at(&s->system, &s->saddle, MANIFOLD_STABLE,
                                   &o.carry, o.order, 0.01 * rtol, &u);
     const bool up = u.ind == 0 || u.c[1] > 0.0;
-    if (status == STATUS_OK)
-        status = grow_branches(&s->system, &u, &o, branch);
+    struct grow_job job = {
+        .sys = &s->system, .start = &u, .options = &o, .out = branch
+    };
+    job.carries = solve_bare && times++ % 2 ? (up ? 1 : -1) : 0;
+    if (status == STATUS_OK) {
+        grow_jobs(&job, 1);
+        status = job.status;
+    }
     if (status != STATUS_OK)
         return status;
     s->upper = branch[up ? 0 : 1];

@@ -185,15 +185,19 @@ static enum status begin(struct batch *b, const char *const key[], size_t keys,
     enum status status = batch_keys_take(b, key, keys, why);
     if (status == STATUS_OK)
         status = take_numbers(b, name, names, why);
-    bool saddle = true; /* columns of steady states are those of nodes, too */
+    bool deficit = false, saddle = true; /* columns of steady states are those
+                                             of nodes, too */
     for (size_t i = 0; i < b->numbers; i++) {
         if (b->column[i] == NULL)
             b->stages |= stage_of(&b->number[i]);
         saddle = saddle && b->number[i].of->shape == RESULT_SCALARS;
+        deficit |= b->number[i].of->type == &record_critical &&
+                   b->number[i].field->offset ==
+                       offsetof(struct critical_numbers, x_deficit);
     }
     b->stages = plan_close(b->stages | 1u << STAGE_STEADY);
     if (saddle && (b->stages & ~PLAN_OF_SADDLE) == 0)
-        b->stages |= PLAN_SADDLE;
+        b->stages |= PLAN_SADDLE | (deficit ? 0 : PLAN_NO_DEFICIT);
     if (b->points && b->scene->system == NULL)
         b->points->scene.products |= plan_products(b->stages);
     return status;
@@ -230,7 +234,8 @@ enum status batch_push(struct batch *b, const struct scene_push push[],
 {
     b->push = push;
     b->pushes = pushes;
-    b->stages &= pushes > 0 ? ~PLAN_SADDLE : ~0u; /* they come to nodes */
+    if (pushes > 0) /* they come to nodes */
+        b->stages &= ~(PLAN_SADDLE | PLAN_NO_DEFICIT);
     return b->scene && b->scene->system && pushes > 0 ? push_system(b)
                                                       : STATUS_OK;
 }

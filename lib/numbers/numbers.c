@@ -367,7 +367,8 @@ static void lower_numbers(struct builder *n)
     const double floor = integral_floor(b, n->e);
 
     out->x_deficit =
-        out->lower_end == END_TRUNCATED
+        l->carry.count == 0 ? quantity_none("nobody asked")
+        : out->lower_end == END_TRUNCATED
             ? quantity_none("the lower branch has no end to integrate to")
             : quantity_of(deficit, l->total_error[0] +
                                        deficit * (floor + 2.0 * AT_SADDLE));

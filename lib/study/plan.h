@@ -37,6 +37,9 @@ enum stage {
  * the saddle. */
 #define PLAN_SADDLE (1u << STAGES)
 
+/* Beside that one: of its lower branch nobody asks for x_deficit. */
+#define PLAN_NO_DEFICIT (2u << STAGES)
+
 /* Stages that read no other one. */
 #define PLAN_OF_SADDLE                                                         \
     (1u << STAGE_STEADY | 1u << STAGE_FOLDS | 1u << STAGE_STABLE |             \

@@ -336,8 +336,9 @@ static void begin(struct study_job *job, unsigned stages)
     job->why.text[0] = '\0';
     clear(job->study, stages & PLAN_SADDLE);
     job->study->scene = scene;
-    job->study->stages = stages & ~PLAN_SADDLE;
+    job->study->stages = stages & ~(PLAN_SADDLE | PLAN_NO_DEFICIT);
     job->study->saddle_alone = stages & PLAN_SADDLE;
+    job->study->no_deficit = stages & PLAN_NO_DEFICIT;
     job->status = scene_slope_demand(scene, scene->products, &job->why);
     if (!plan_has(stages, STAGE_STEADY)) /* which begins with that */
         block_init(&job->study->slider.block, &scene->law, &scene->material,

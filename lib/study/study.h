@@ -45,6 +45,7 @@ struct study {
     const struct scene *scene; /* borrowed */
     unsigned stages;           /* bits of enum stage */
     bool saddle_alone;         /* PLAN_SADDLE */
+    bool no_deficit;           /* PLAN_NO_DEFICIT */
 
     struct slider slider; /* a study must not move */
     struct saddle_numbers saddle_numbers;

@@ -103,7 +103,10 @@ void study_stable(struct study_job job[], size_t n,
         if (local[i].status == STATUS_OK) {
             of[good] = of[i];
             from[good] = &t[i];
-            grow[good++] = grow[i];
+            grow[good] = grow[i];
+            if (of[i]->study->no_deficit)
+                grow[good].carries = side_sign(&t[i].series, SIDE_UPPER);
+            good++;
         }
     }
     grow_jobs(grow, good);
