@@ -248,7 +248,6 @@ static enum status start_branch(struct grower *g, const struct local_series *u,
                              .curve = CURVE_EMPTY(2 + g->carry->count),
                              .end = BRANCH_STEPS };
     g->piece = (struct branch_miss){ .grown = 1.0 };
-    g->u = (struct graph_series){ .at = { [0] = { 0.0 } } };
     g->u.at[u->ind][1] = u->unit;
     memcpy(g->u.at[1 - u->ind], u->c, sizeof u->c);
     for (size_t i = 0; i < g->carry->count; i++) {
@@ -314,7 +313,7 @@ static size_t step_all(struct grower g[], size_t n)
     return count;
 }
 
-static struct grower grower_of(const struct grow_job *job, int i)
+static void begin(struct grower *g, const struct grow_job *job, int i)
 {
     static const struct carry none = { .count = 0 };
     const struct grow_options *o = job->options;
@@ -322,11 +321,11 @@ static struct grower grower_of(const struct grow_job *job, int i)
     const struct carry *carry = carries ? &o->carry : &none;
 
     job->out[i] = (struct branch){ .curve = CURVE_EMPTY(2 + carry->count) };
-    return (struct grower){ .sys = job->sys,
-                            .o = o,
-                            .carry = carry,
-                            .b = &job->out[i],
-                            .tol = TOL_TAYLOR_STEP * o->rtol };
+    *g = (struct grower){ .sys = job->sys,
+                          .o = o,
+                          .carry = carry,
+                          .b = &job->out[i],
+                          .tol = TOL_TAYLOR_STEP * o->rtol };
 }
 
 /* A job's branches stop together. */
@@ -342,7 +341,7 @@ static void stop_failed(struct grower g[2])
 static void start(struct grower g[2], const struct grow_job *job)
 {
     for (int i = 0; i < 2; i++) {
-        g[i] = grower_of(job, i);
+        begin(&g[i], job, i);
         g[i].done = job->side * (i == 0 ? 1 : -1) < 0;
     }
     for (int i = 0; i < 2; i++)
