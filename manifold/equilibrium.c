@@ -19,8 +19,9 @@ void equilibrium_close(const struct planar_steady *s, const void *ctx,
     struct newton_root_long found;
 
     if (root->hi > root->x &&
-        newton_find_long(s->balance, ctx, root->x, root->hi, 0, &found) ==
-            STATUS_OK)
+        newton_close_long(s->balance, ctx,
+                          (const long double[]){ root->x, root->hi }, root->at,
+                          &found) == STATUS_OK)
         root->x = found.x;
     root->hi = root->x;
 }
@@ -38,9 +39,11 @@ size_t equilibrium_bracket(const struct planar_steady *s, const void *ctx,
         const long double hi = last ? s->hi : s->turning[i];
         const long double at_hi = s->balance(ctx, hi);
         if (at_hi == 0 && !last)
-            root[n++] = (struct steady_root){ hi, true, false, hi };
+            root[n++] = (struct steady_root){ hi, true, false, hi, { 0, 0 } };
         else if (at_lo != 0 && (at_lo < 0) != (at_hi < 0))
-            root[n++] = (struct steady_root){ lo, false, at_lo < 0, hi };
+            root[n++] = (struct steady_root){
+                lo, false, at_lo < 0, hi, { at_lo, at_hi }
+            };
         lo = hi;
         at_lo = at_hi;
     }

@@ -30,7 +30,8 @@ struct steady_root {
     long double x;
     bool fold;      /* a turning point that just touches zero */
     bool rises;     /* the balance, as it does at a saddle */
-    long double hi; /* it is in [x, hi], if that is more than x: not closed */
+    long double hi; /* it is in [x, hi], if that is more than x: not closed, */
+    long double at[2]; /* where the balance is these */
 };
 
 /* Every zero of the curve's balance in [lo, hi], ascending: one in each

@@ -38,3 +38,9 @@ MUST_CHECK enum status newton_find_long(long double (*f)(const void *ctx,
                                         const void *ctx, long double lo,
                                         long double hi, long double tol,
                                         struct newton_root_long *out);
+
+/* The same between x[0] <= x[1], where it is at[0] and at[1]; tol = 0. */
+MUST_CHECK enum status newton_close_long(
+    long double (*f)(const void *ctx, long double x), const void *ctx,
+    const long double x[2], const long double at[2],
+    struct newton_root_long *out);

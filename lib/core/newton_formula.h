@@ -94,24 +94,19 @@ static enum status NAME(close)(REAL (*f)(const void *ctx, REAL x),
     return STATUS_OK;
 }
 
-enum status NAME(newton_find)(REAL (*f)(const void *ctx, REAL x),
-                              const void *ctx, REAL lo, REAL hi, REAL tol,
-                              struct NAME(newton_root) * out)
+static enum status NAME(find_between)(REAL (*f)(const void *ctx, REAL x),
+                                      const void *ctx, struct NAME(bracket) k,
+                                      REAL tol, struct NAME(newton_root) * out)
 {
-    if (!(lo <= hi))
-        return STATUS_BAD_ARGUMENT;
-    struct NAME(bracket) k = { .a = hi, .b = lo, .c = lo };
     size_t calls = 2;
     enum status s;
 
-    k.f_a = f(ctx, hi);
-    k.f_b = k.f_c = f(ctx, lo);
     if (isnan(k.f_a) || isnan(k.f_b))
         return STATUS_NO_CONVERGENCE;
     if ((k.f_a < 0 && k.f_b < 0) || (k.f_a > 0 && k.f_b > 0))
         return STATUS_BAD_ARGUMENT;
     if (k.f_b != 0) { /* else the root is at lo */
-        k.width = fabs(hi - lo);
+        k.width = fabs(k.a - k.b);
         k.patience = 3;
         s = NAME(close)(f, ctx, tol, &k, &calls);
         if (s != STATUS_OK)
@@ -122,4 +117,17 @@ enum status NAME(newton_find)(REAL (*f)(const void *ctx, REAL x),
     *out = (struct NAME(newton_root)){ first ? k.a : k.b,
                                        exact ? 0 : fabs(k.b - k.a), calls };
     return STATUS_OK;
+}
+
+enum status NAME(newton_find)(REAL (*f)(const void *ctx, REAL x),
+                              const void *ctx, REAL lo, REAL hi, REAL tol,
+                              struct NAME(newton_root) * out)
+{
+    struct NAME(bracket) k = { .a = hi, .b = lo, .c = lo };
+
+    if (!(lo <= hi))
+        return STATUS_BAD_ARGUMENT;
+    k.f_a = f(ctx, hi);
+    k.f_b = k.f_c = f(ctx, lo);
+    return NAME(find_between)(f, ctx, k, tol, out);
 }

@@ -55,6 +55,8 @@ static struct vec2 to_zero(const struct slider *s, size_t node,
     struct steady_root root = { .x = (long double) nextafter(x, -HUGE_VAL),
                                 .hi = (long double) nextafter(x, HUGE_VAL) };
 
+    root.at[0] = s->block.steady.balance(&s->block, root.x);
+    root.at[1] = s->block.steady.balance(&s->block, root.hi);
     equilibrium_close(&s->block.steady, &s->block, &root);
     block_anchor(&here, root.x, true);
     *own = place_bars(&here);
