@@ -131,10 +131,11 @@ static double size_of(const struct orbit *o, size_t i, double u)
     return fmax(fmax(o->peak[i], fabs(u)), o->options.least[i - 2]);
 }
 
-/* What rounding does to integral i on the step, up to all of it: a rate that is
- * the first integral's times a difference of numbers of order 1 has no digits
- * below that, and where a step was refused twice for no less, that of the
- * coordinates is to be borne: shorter steps have no less of it. */
+/* What rounding does to integral i on the step: a rate that is the first
+ * integral's times a difference of numbers of order 1 has no digits below that,
+ * not one where it is smaller itself, and where a step was refused twice for no
+ * less, that of the coordinates is to be borne, up to all of the integral:
+ * shorter steps have no less of it. */
 static double noise_of(const struct orbit *o, const struct attempt *a, size_t i)
 {
     const double digit = DBL_EPSILON * fmax(fabs(o->u[0]), fabs(o->u[1]));
@@ -144,7 +145,9 @@ static double noise_of(const struct orbit *o, const struct attempt *a, size_t i)
 
     if (i < 2)
         return 0.0;
-    return o->refused < 2 || isnan(noise) ? rate : rate + noise;
+    return o->refused < 2 || isnan(noise)
+               ? rate
+               : rate + fmin(noise, fabs(a->u1[i] - o->u[i]));
 }
 
 /* The largest estimated error over what is allowed; NaN if anything is. */
@@ -153,9 +156,8 @@ static double error_ratio(const struct orbit *o, const struct attempt *a)
     double worst = 0.0;
 
     for (size_t i = 0; i < o->curve.dim; i++) {
-        const double allowed =
-            o->options.rtol * size_of(o, i, a->u1[i]) + DBL_MIN +
-            fmin(noise_of(o, a, i), fabs(a->u1[i] - o->u[i]));
+        const double allowed = o->options.rtol * size_of(o, i, a->u1[i]) +
+                               DBL_MIN + noise_of(o, a, i);
         const double ratio = fabs(a->error[i]) / allowed;
         if (!isfinite(ratio) || !isfinite(a->u1[i]))
             return (double) NAN;

@@ -154,6 +154,52 @@ static void a_block_that_runs_away_may_lose_psi_first(void **state)
     slope_free(&s);
 }
 
+/* Far below psi_ss next to no friction is left, of work nothing but what a
+ * difference of numbers of order 1 rounds to: no step is asked for more of it.
+ */
+static void blocks_that_nothing_brakes_are_soon_followed_to_their_ends(
+    void **state)
+{
+    static const struct {
+        const char *law, *alpha;
+        const char *const set[4];
+        double v, psi;
+        enum transient_end end;
+    } of[] = {
+        { "dieterich",
+          "0.38",
+          { "products=[knees]", "material.a=0.005", "material.b=0.045241" },
+          1e-5,
+          4.85e-6,
+          TRANSIENT_RUNAWAY },
+        { "ruina",
+          "0.44551",
+          { "products=[knees]", "material.a=0.0045114", "material.b=0.046481" },
+          6.7e-4,
+          -13.2,
+          TRANSIENT_RUNAWAY },
+        { "spinodal",
+          "0.300363",
+          { "products=[knees]", "material.a=0.007292", "material.b=0.074888" },
+          0.0175,
+          2.8e-6,
+          TRANSIENT_ARREST },
+    };
+
+    (void) state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct slope s;
+        slope_make(&s, of[i].law, NULL, of[i].alpha, of[i].set);
+        const struct transient_options o = transient_defaults(&s.scene);
+        struct transient t = follow(&s, of[i].v, of[i].psi, &o);
+        CHECK(t.sum.end == (int) of[i].end && t.sum.steps < 5000,
+              "%s: %s, %d steps", of[i].law, transient_end_names[t.sum.end],
+              (int) t.sum.steps);
+        transient_free(&t);
+        slope_free(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -163,6 +209,8 @@ int main(void)
         cmocka_unit_test(
             a_block_that_rose_from_far_below_fades_where_others_do),
         cmocka_unit_test(a_block_that_runs_away_may_lose_psi_first),
+        cmocka_unit_test(
+            blocks_that_nothing_brakes_are_soon_followed_to_their_ends),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
