@@ -27,10 +27,9 @@ static int ln(struct lowering *L, int node)
 static struct linear log_of_sum(struct lowering *L, int i, int p, int q)
 {
     struct formula *f = L->s.f;
-    const bool moves = f->node[q].moves;
     struct linear u = lower_log(L, p), w = { 0 };
 
-    if (moves) {
+    if (f->node[q].moves) {
         w = lower_log(L, q);
         linear_add_times(&L->s, &u, -1, &w);
     }
@@ -139,13 +138,18 @@ static struct linear apart(struct lowering *L, const int part[2], bool zero)
                       0);
 }
 
-bool lower_apart(struct lowering *L, int i, int part[2])
+bool lower_apart(struct lowering *L, int i, bool zero, int part[2])
 {
+    const struct formula_node *n = L->s.f->node;
+    bool all = n[i].kind == FORMULA_SUM && !n[i].positive;
+
     part[0] = part[1] = 0;
-    if (L->s.f->node[i].kind != FORMULA_SUM || L->s.f->node[i].positive)
-        return false;
-    formula_sort(L->s.f, i, 1, part);
-    return formula_has_log(L->s.f, part[0]) && formula_has_log(L->s.f, part[1]);
+    if (all)
+        formula_sort(L->s.f, i, 1, part);
+    for (int k = 0; k < 2 && all; k++)
+        all = formula_has_log(L->s.f, part[k]) ||
+              (zero && part[k] && n[part[k]].positive && !n[part[k]].moves);
+    return all;
 }
 
 struct linear lower_both(struct lowering *L, int i)
@@ -162,7 +166,8 @@ static struct linear plain_sum(struct lowering *L, int i)
 {
     int part[2];
 
-    return lower_apart(L, i, part) ? apart(L, part, false) : lower_both(L, i);
+    return lower_apart(L, i, false, part) ? apart(L, part, false)
+                                          : lower_both(L, i);
 }
 
 /* a asinh(e^w/2), e^w/2 positive by its form */
@@ -215,7 +220,7 @@ static bool is_away(struct lowering *L, int i)
     for (int k = 0; !logs && k < (n.kind == FORMULA_CALL ? n.arguments : 2);
          k++)
         away = is_away(L, n.of[k]) || away;
-    away = away || lower_apart(L, i, part);
+    away = away || lower_apart(L, i, false, part);
     L->away[i] = away ? 2 : 1;
     return away;
 }
@@ -435,7 +440,7 @@ struct linear lower_zero(struct lowering *L, int i)
 
     if (linear_rests(&L->s, &plain))
         return plain;
-    return lower_apart(L, i, part) ? apart(L, part, true) : whole(L, i);
+    return lower_apart(L, i, true, part) ? apart(L, part, true) : whole(L, i);
 }
 
 static int value_of_call(struct lowering *L, int i,

@@ -32,7 +32,8 @@ struct linear lower_log(struct lowering *L, int i);
 struct linear lower_zero(struct lowering *L, int i);
 
 /* Whether node i is a difference of sums of products, part[0] less part[1]: one
- * step then, STEP_APART, and not the sum of its terms. */
-bool lower_apart(struct lowering *L, int i, int part[2]);
+ * step then, STEP_APART, and not the sum of its terms.  zero: it is 0 at the
+ * anchor, and one part may be a constant. */
+bool lower_apart(struct lowering *L, int i, bool zero, int part[2]);
 /* The sum of its terms. */
 struct linear lower_both(struct lowering *L, int i);

@@ -76,7 +76,7 @@ static void join_sinh(struct lowering *L, int argument, struct tape_rate *r)
     struct linear u = lower_plain(L, argument), terms = u;
     int part[2];
 
-    if (lower_apart(L, argument, part))
+    if (lower_apart(L, argument, false, part))
         terms = lower_both(L, argument);
     r->joined = shares(&r->exponent[0], &terms);
     if (r->joined)

@@ -313,19 +313,20 @@ static void formulas_that_cancel_keep_their_digits(void **state)
 static void far_from_the_saddle_the_state_is_the_formulas_own(void **state)
 {
     static const char *const kinetics[] = { "d", "sinh(d)", "d + d^3",
-                                            "rate -v*(psi - 1/v - 1/50)" };
+                                            "rate -v*(psi - 1/v - 1/50)",
+                                            "1 - exp(-d)" };
     const struct material m = material_bristol_board();
     uint64_t seed = check_seed() + 6;
 
     (void) state;
-    for (int i = 0; i < 120; i++) {
+    for (int i = 0; i < 150; i++) {
         enum law_part wrong;
         struct fault why = { "" };
         struct block b;
         law_typed_of_preset(law_preset_find("dieterich"), &typed);
-        const int k = i % 4;
+        const int k = i % 5;
         strcpy(typed.text[LAW_PSI_SS], "1/v + 1/50");
-        strcpy(typed.text[LAW_K], k < 3 ? kinetics[k] : "");
+        strcpy(typed.text[LAW_K], k != 3 ? kinetics[k] : "");
         if (k == 3) {
             typed.text[LAW_PSI_SS][0] = typed.text[LAW_T][0] = '\0';
             strcpy(typed.text[LAW_RATE], kinetics[k] + 5);
@@ -341,8 +342,8 @@ static void far_from_the_saddle_the_state_is_the_formulas_own(void **state)
         struct planar_field f;
         s.field(s.ctx, block_offset(&b, exp(x), exp(y)), &f);
         const double psi = exp(y), ss = exp(-x) + 1.0 / 50, d = psi - ss;
-        const double K[] = { d, sinh(d), d + d * d * d, d };
-        const double slope[] = { 1, cosh(d), 1 + 3 * d * d, 1 };
+        const double K[] = { d, sinh(d), d + d * d * d, d, -expm1(-d) };
+        const double slope[] = { 1, cosh(d), 1 + 3 * d * d, 1, exp(-d) };
         const double exact = -K[k] * exp(x - y);
         const double found = f.direction.y * exp(f.log_scale);
         const double size = fabs(exact) + slope[k] * (psi + ss) * exp(x - y);
