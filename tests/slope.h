@@ -20,7 +20,7 @@ static inline void slope_scene(struct scene *s, const char *law,
                                const char *form, const char *alpha,
                                const char *const more[])
 {
-    enum { MOST = 8 };
+    enum { MOST = 10 };
     char text[MOST][160], *set[MOST];
     size_t sets = 3;
     struct fault why;

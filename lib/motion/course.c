@@ -57,16 +57,29 @@ static double end_rate(const struct orbit *o)
     return fabs(du[0] / du[2]);
 }
 
+/* Whether a part of what an orbit may be off by makes all of its rates. */
+static bool is_loose(const struct orbit *o)
+{
+    struct cascade_linear l;
+    double most = 0.0;
+
+    rescaled_linear(&o->clock, (struct vec2){ o->u[0], o->u[1] }, &l);
+    for (int i = 0; i < 2; i++)
+        most = fmax(most, fabs(l.slope[i].x) + fabs(l.slope[i].y));
+    return !(TOL_FAR_BELOW * o->options.rtol * most < hypot(l.du[0], l.du[1]));
+}
+
 /* Whether hardly anything is left of v or of the time, or what is cannot be
  * seen: psi itself, where only inertia slows the block, is too large for its
- * digits. */
+ * digits, or it is where it may be with any rate, not of first order. */
 static bool is_deep(const struct course *c, const struct orbit *o)
 {
     const struct block *b = &c->slider->block;
 
     return c->slider->plane.system.origin.x + o->u[0] < TOL_TRANSIENT_DEEP ||
            (o->curve.count > 0 && end_rate(o) * TOL_NOTHING * o->u[2] > 1.0) ||
-           (law_psi_is_log(&b->law) && rest_form_at(b).inertial);
+           (law_psi_is_log(&b->law) && rest_form_at(b).inertial) ||
+           (b->waits && is_loose(o));
 }
 
 bool course_rests(const struct course *c, const struct orbit *o,

@@ -40,8 +40,9 @@
  * ones are tried where TOL_ORBIT_STEPS do not suffice); where a block runs away
  * or fades, as factors on v; where arrest is looked for at the end of a run
  * that was arrested, in units of its distance; and the ln v (1e-11) down to
- * which a block that rests is followed, at least, or until TOL_NOTHING is left.
- */
+ * which a block that rests is followed, at least, or until TOL_NOTHING is left,
+ * or a part of what it may be off by makes all of its rates, not to first
+ * order. */
 #define TOL_TRANSIENT_FINEST 3e-13
 #define TOL_TRANSIENT_FAST   1e6
 #define TOL_TRANSIENT_SLOW   1e-8

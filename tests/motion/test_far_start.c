@@ -200,6 +200,37 @@ static void blocks_that_nothing_brakes_are_soon_followed_to_their_ends(
     }
 }
 
+/* psi, which its law's sinh holds to psi_ss, has any rate within a tolerance:
+ * by 113 bits, and by push. */
+static void a_rest_is_told_before_its_orbit_is_only_rounding(void **state)
+{
+    static const struct {
+        double v, psi, time, slip;
+    } of[] = { { 7896141.431990207, 0.2164086247222423, 3.601797462728606,
+                 12020598.056240579 },
+               { 0.0013812154239651261, 811009.5220468952,
+                 5.922526598895392e-10, 4.247234424700657e-13 } };
+    struct slope s;
+
+    (void) state;
+    slope_make(
+        &s, "dieterich", "log", "0.257315",
+        (const char *const[]){ "products=[knees]", "law.theta=ln(c + psi)",
+                               "law.psi_ss=v^-q", "law.T=R/(1 + R*v)",
+                               "law.K=sinh(d)", "material.q=1.17", NULL });
+    const struct transient_options o = transient_defaults(&s.scene);
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct transient t = follow(&s, of[i].v, of[i].psi, &o);
+        assert_int_equal(t.sum.end, TRANSIENT_REST);
+        assert_true(fabs(t.sum.time.value - of[i].time) <= t.sum.time.error);
+        assert_true(fabs(t.sum.slip.value - of[i].slip) <= t.sum.slip.error);
+        assert_true(t.sum.time.error <= 1e-9 * of[i].time);
+        assert_true(t.sum.slip.error <= 1e-9 * of[i].slip);
+        transient_free(&t);
+    }
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -211,6 +242,7 @@ int main(void)
         cmocka_unit_test(a_block_that_runs_away_may_lose_psi_first),
         cmocka_unit_test(
             blocks_that_nothing_brakes_are_soon_followed_to_their_ends),
+        cmocka_unit_test(a_rest_is_told_before_its_orbit_is_only_rounding),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
