@@ -223,11 +223,14 @@ static bool is_stuck(const struct course *c, const struct orbit *o)
 static const char *why_lost(const struct orbit *o, bool *surely)
 {
     const bool is_late = o->end == ORBIT_REACHED || course_waits(o);
+    const bool is_far = fmax(fabs(o->u[3 + BLOCK_SLIP]),
+                             fabs(o->u[3 + BLOCK_WORK])) > TOL_RANGE;
 
-    *surely = o->end != ORBIT_RUNNING || is_late;
+    *surely = o->end != ORBIT_RUNNING || is_late || is_far;
     return o->end == ORBIT_LEFT_WINDOW || o->end == ORBIT_LEFT_DOMAIN
                ? "the orbit leaves the plane"
            : is_late ? "it takes longer than any number holds"
+           : is_far  ? "it slips further than any number holds"
                      : "the orbit cannot be followed further";
 }
 

@@ -231,6 +231,24 @@ static void a_rest_is_told_before_its_orbit_is_only_rounding(void **state)
     slope_free(&s);
 }
 
+/* It slides at v = 1e153, after a slip that no number holds. */
+static void a_slip_beyond_all_numbers_is_told_at_once(void **state)
+{
+    struct slope s;
+
+    (void) state;
+    slope_make(&s, "ruina", NULL, "0.476737",
+               (const char *const[]){ "products=[knees]", "material.a=0.035842",
+                                      "material.b=0.035425", NULL });
+    const struct transient_options o = transient_defaults(&s.scene);
+    struct transient t = follow(&s, 8e5, 7.25, &o);
+    assert_int_equal(t.sum.fate, FATE_SLIDING);
+    assert_int_equal(t.sum.end, TRANSIENT_LOST);
+    assert_string_equal(t.reason, "it slips further than any number holds");
+    transient_free(&t);
+    slope_free(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -243,6 +261,7 @@ int main(void)
         cmocka_unit_test(
             blocks_that_nothing_brakes_are_soon_followed_to_their_ends),
         cmocka_unit_test(a_rest_is_told_before_its_orbit_is_only_rounding),
+        cmocka_unit_test(a_slip_beyond_all_numbers_is_told_at_once),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
