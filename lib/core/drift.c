@@ -365,6 +365,14 @@ void drift_carry(struct drift *d, const struct rescaled *clock,
     turn_across(d, c->dim);
 }
 
+double drift_gained(struct drift *d, size_t i)
+{
+    const double gained = d->e[i];
+
+    d->e[i] = 0.0;
+    return gained;
+}
+
 /* ---- the end ------------------------------------------------------------- */
 
 /* F, of the header. */

@@ -37,6 +37,10 @@ void drift_start(struct drift *d, double rounding, double rate);
 void drift_carry(struct drift *d, const struct rescaled *clock,
                  const struct curve *c, double h, const double missed[]);
 
+/* e of an integral, i >= 2, since this was last asked: of short steps after
+ * long ones a sum of all has no digits. */
+double drift_gained(struct drift *d, size_t i);
+
 /* A bound, with what rounding does, on how far component i is off where a
  * function of the chart with this gradient has its value: what is off along the
  * orbit only comes earlier or later. */

@@ -2,6 +2,7 @@
  * end (rest_left.h). */
 #include "rest_curve.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,6 +12,7 @@
 #include "room.h"
 #include "slider.h"
 #include "slow_branch.h"
+#include "slow_off.h"
 #include "slow_tolerance.h"
 
 /* ---- far down ------------------------------------------------------------ */
@@ -89,14 +91,20 @@ static enum status push(struct rest_curve *c, const struct rest_knot *k)
     return STATUS_OK;
 }
 
-/* Keeps what the orbit's last step took, until it is known from the end. */
+/* Keeps what the orbit's last step took, and was off by, until it is known from
+ * the end; *was: as of slow_off_gained. */
 static enum status keep(struct rest_curve *c, const struct orbit *o,
-                        struct rest_knot *k)
+                        struct slow_off *was, struct rest_knot *k)
 {
+    const double late = o->options.drift->e[0];
+    const struct slow_off off = { k->at.time_slope * late,
+                                  k->at.slip_slope * late };
+    const struct slow_off gained = slow_off_gained(o->options.drift, off, was);
+
     k->at.time = slow_knot_gained(o, 2);
     k->at.slip = slow_knot_gained(o, 3 + BLOCK_SLIP);
-    k->time_bar = o->error[2];
-    k->slip_bar = o->error[3 + BLOCK_SLIP];
+    k->time_bar = gained.time;
+    k->slip_bar = gained.slip;
     return push(c, k);
 }
 
@@ -115,6 +123,7 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
                            const struct monitor *monitor, bool *is_down)
 {
     const struct slider *s = c->slider;
+    struct slow_off was = { 0.0, 0.0 };
     enum status status = STATUS_OK;
 
     *is_down = false;
@@ -123,7 +132,7 @@ static enum status descend(struct rest_curve *c, struct orbit *o,
         struct rest_knot k;
         double bend;
         if (knot_at(s, o, &k, &bend)) {
-            status = keep(c, o, &k);
+            status = keep(c, o, &was, &k);
             hold_back(o, bend);
         } else {
             c->count = 0;
@@ -156,8 +165,8 @@ static enum status extend(struct rest_curve *c)
         struct rest_knot k = { .at = point_below(s, x, &last->at) };
         k.at.time = gone.time;
         k.at.slip = gone.slip;
-        k.time_bar = last->time_bar + gone.time_error;
-        k.slip_bar = last->slip_bar + gone.slip_error;
+        k.time_bar = gone.time_error;
+        k.slip_bar = gone.slip_error;
         status = push(c, &k);
     }
     return status;
@@ -165,31 +174,28 @@ static enum status extend(struct rest_curve *c)
 
 /* ---- a whole one --------------------------------------------------------- */
 
-/* From each step's time and slip to all to come. */
+/* From each step's time and slip, and what they are off, to all to come. */
 static void look_back(struct rest_curve *c)
 {
-    const struct rest_knot *end = &c->knot[c->count - 1];
-    struct rest_point last = end->at;
+    const double rounded = TOL_ROUNDINGS_MANY * DBL_EPSILON;
+    struct slow_sum sum = { .off = { 0.0, 0.0 } };
+    struct rest_point last = c->knot[c->count - 1].at;
 
     if (!add_left(c->slider, &last)) {
         c->count = 0;
         return;
     }
     double time = last.time, slip = last.slip;
-    double missed[2] = { end->time_bar, end->slip_bar };
-    double time_bar = last.time_error, slip_bar = last.slip_error;
 
     for (size_t i = c->count; i-- > 0;) {
         struct rest_knot *k = &c->knot[i];
         const double dt = k->at.time, dx = k->at.slip;
-        time_bar += missed[0] - k->time_bar;
-        slip_bar += missed[1] - k->slip_bar;
-        missed[0] = k->time_bar;
-        missed[1] = k->slip_bar;
+        const struct slow_off bar = slow_sum_bar(&sum);
+        slow_sum_add(&sum, (struct slow_off){ k->time_bar, k->slip_bar });
         k->at.time = time;
         k->at.slip = slip;
-        k->time_bar = time_bar;
-        k->slip_bar = slip_bar;
+        k->time_bar = last.time_error + bar.time + rounded * time;
+        k->slip_bar = last.slip_error + bar.slip + rounded * slip;
         time += dt;
         slip += dx;
     }
@@ -283,12 +289,15 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
 {
     struct orbit_options options =
         orbit_defaults(&s->plane.system, s->plane.fastest_rate);
+    struct drift drift;
     struct orbit o;
     bool is_down = false;
 
     *c = (struct rest_curve){ .slider = s };
     if (!rest_form_at(&s->block).inertial)
         return STATUS_OK;
+    drift_start(&drift, slider_rounding(s, z), 0.0);
+    options.drift = &drift;
     options.rtol = TOL_REST_WRONG;
     options.observables = 1;
     enum status status = orbit_init(&o, &s->plane.system, z, &options);

@@ -10,6 +10,7 @@
 #include "rest_form.h"
 #include "room.h"
 #include "slider.h"
+#include "slow_bars.h"
 #include "slow_face.h"
 #include "slow_fit.h"
 #include "slow_tolerance.h"
@@ -80,21 +81,6 @@ static void tell(struct slow_knot *k, double dt, double *folds)
         k->gap = HUGE_VAL;
 }
 
-/* How far x, time and slip are off where a function with that gradient has its
- * value: what is off along the orbit only comes earlier or later, by the
- * knot's rates, for the field's own may be all rounding. */
-static void note_drift(const struct orbit *o, struct vec2 gradient,
-                       struct slow_knot *k)
-{
-    const double *e = o->options.drift->e;
-    const double late = (gradient.x * e[0] + gradient.y * e[1]) /
-                        (gradient.x * k->x_slope + gradient.y);
-
-    k->time_bar = e[2] + k->time[1] * late;
-    k->slip_bar = e[3 + BLOCK_SLIP] + k->slip[1] * late;
-    k->beside = e[0] - k->x_slope * late;
-}
-
 /* A point that y does not go on from, or stands still at, is no knot: its way
  * is the next one's. */
 static void make_monotone(struct slow_branch *b)
@@ -111,6 +97,8 @@ static void make_monotone(struct slow_branch *b)
                 break;
             next.time[0] += last->time[0];
             next.slip[0] += last->slip[0];
+            next.time_bar += last->time_bar;
+            next.slip_bar += last->slip_bar;
             next.mu = fmax(next.mu, last->mu);
         }
         k[kept++] = next;
@@ -130,6 +118,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
     const double far =
         b->start == SLOW_RUNAWAY ? TOL_SERIES_RADIUS_MAX : HUGE_VAL;
     double folds = b->start == SLOW_BESIDE ? 0.0 : HUGE_VAL;
+    struct slow_off was = { 0.0, 0.0 };
     enum status status = STATUS_OK;
 
     for (bool goes_on = true; goes_on && status == STATUS_OK;) {
@@ -137,7 +126,7 @@ static enum status follow(const struct slider *s, struct orbit *o,
         if (k == NULL)
             return STATUS_NO_MEMORY;
         slow_knot_at(s, o->u, slope_of(o), k);
-        note_drift(o, (struct vec2){ 0.0, 1.0 }, k);
+        slow_bars_note(o, k, &was);
         k->mu = mu_until(s, o);
         k->time[0] = -slow_knot_gained(o, 2);
         k->slip[0] = -slow_knot_gained(o, 3 + BLOCK_SLIP);
@@ -217,20 +206,6 @@ static void count_from_face(struct slow_branch *b)
     }
 }
 
-/* The last knot, off as where the orbit meets the face of a box of arrest. */
-static struct slow_knot ending(const struct orbit *o,
-                               const struct slow_branch *b)
-{
-    struct slow_knot end = b->knot[b->count - 1];
-
-    if (o->end == ORBIT_ARRIVED)
-        note_drift(o,
-                   fate_face((struct vec2){ o->u[0], o->u[1] },
-                             o->options.target[o->end_index]),
-                   &end);
-    return end;
-}
-
 /* How far off its end an orbit is, having come by the last knot a unit off
  * along its fibre: at the face of a box it is later, or earlier. */
 static struct vec2 find_end_aside(const struct orbit *o,
@@ -254,7 +229,7 @@ static double x_error_at_face(const struct slider *s, const struct orbit *o,
     const struct vec2 z = { o->u[0], o->u[1] };
     const struct vec2 face = fate_face(z, o->options.target[o->end_index]);
     const double most = face.x != 0.0 ? 0.0 : TOL_ARREST;
-    const double off = fabs(ending(o, b).beside);
+    const double off = fabs(slow_bars_beside(o, &b->knot[b->count - 1], face));
 
     return fmin(TOL_BAR_FIRST_ORDER * off, most) + slider_rounding(s, z);
 }
@@ -293,23 +268,6 @@ static enum status finish(const struct slider *s, const struct orbit *o,
         add_face(s, &b->knot[0], b);
     }
     return STATUS_OK;
-}
-
-/* From how late it is at each knot to what it is off from there on. */
-static void compare_bars(const struct orbit *o, struct slow_branch *b)
-{
-    struct slow_knot *const k = b->knot;
-    const struct slow_knot end = b->start == SLOW_FACE ? k[0] : ending(o, b);
-
-    for (size_t i = 0; i < b->count; i++) {
-        const double beside = slow_knot_shift(&k[i], k[i].beside);
-        k[i].time_bar =
-            TOL_BAR_FIRST_ORDER *
-            (fabs(end.time_bar - k[i].time_bar) + fabs(k[i].time[1]) * beside);
-        k[i].slip_bar =
-            TOL_BAR_FIRST_ORDER *
-            (fabs(end.slip_bar - k[i].slip_bar) + fabs(k[i].slip[1]) * beside);
-    }
 }
 
 /* From each step's to all to come. */
@@ -446,7 +404,7 @@ static enum status run(const struct slider *s, struct vec2 z,
         slow_fit_places(s, b);
         b->end_aside = find_end_aside(&o, b);
         slow_fit_frictions(s, b);
-        compare_bars(&o, b);
+        slow_bars_add(&o, b);
         look_back(b);
         slow_fit_digits(b);
         slow_fit_judge(s, b);

@@ -3,6 +3,7 @@
 
 #include "fault_alloc.h"
 #include "found.h"
+#include "rest_left.h"
 #include "slider.h"
 #include "slope.h"
 #include "stops.h"
@@ -213,6 +214,50 @@ static void a_knot_has_no_number_that_is_none(void **state)
     }
 }
 
+/* What is left where only inertia slows the block is one quadrature. */
+static void bars_hold_where_steps_take_far_less_than_the_first(void **state)
+{
+    static const struct found slope = { FRICTION_ASINH,
+                                        THETA_LN_PSI,
+                                        PSI_SS_INVERSE,
+                                        TIMESCALE_SLIP,
+                                        KINETICS_SINH,
+                                        0.369,
+                                        0.037678438442897977,
+                                        0.0489,
+                                        0.00086422038255759039,
+                                        390.01743251464126,
+                                        2.5390452563493136e-07,
+                                        1e-6,
+                                        0.44212,
+                                        1e-8 };
+    struct slow_curve c;
+    struct slider s;
+    struct scene scene;
+    size_t known = 0;
+
+    (void) state;
+    found_scene(&slope, steady_only, &scene);
+    slider_init(&s, &scene.law, &scene.material, 0.473371951715025801572L);
+    assert_int_equal(slow_curve_init(&c, &s, NULL), STATUS_OK);
+    for (size_t i = 0; i < c.branch[0].count; i++) {
+        const struct slow_knot *k = &c.branch[0].knot[i];
+        struct rest_left left;
+        if (!rest_left_find(&s, (struct vec2){ k->x, k->y }, 0.0, &left))
+            continue;
+        CHECK(fabs(k->time[0] - left.time) <= k->time_bar + left.time_error,
+              "knot %zu: time %.17g +- %g, not %.17g +- %g", i, k->time[0],
+              k->time_bar, left.time, left.time_error);
+        CHECK(fabs(k->slip[0] - left.slip) <= k->slip_bar + left.slip_error,
+              "knot %zu: slip %.17g +- %g, not %.17g +- %g", i, k->slip[0],
+              k->slip_bar, left.slip, left.slip_error);
+        known += left.slip_error < 1e-12 * left.slip;
+    }
+    CHECK(known > 500, "%zu of %zu", known, c.branch[0].count);
+    slow_curve_free(&c);
+    scene_free(&scene);
+}
+
 /* What is off along f stays off along it: J f - f' is along f, for the fibre f
  * in the middle of an interval and its change over that. */
 static int check_fibre(const struct slider *s, const struct slow_branch *b,
@@ -343,6 +388,7 @@ int main(void)
         cmocka_unit_test(beside_the_saddle_slip_grows_evenly),
         cmocka_unit_test(it_leads_on_where_blocks_never_quite_stop),
         cmocka_unit_test(a_knot_has_no_number_that_is_none),
+        cmocka_unit_test(bars_hold_where_steps_take_far_less_than_the_first),
         cmocka_unit_test(fibres_lead_to_fibres),
         cmocka_unit_test(knots_are_as_near_as_polynomials_bear),
         cmocka_unit_test(a_monitor_stops_it),
