@@ -266,20 +266,63 @@ static void find_bends(struct rest_curve *c)
     }
 }
 
-/* As of slow_branch.c: by what a polynomial over two steps misses between. */
+/* Sixth derivatives of ln T and ln X over 6!, by the knots from k[0] to k[3].
+ */
+static struct slow_off sixths(const struct rest_knot k[4])
+{
+    const struct rest_point *at[4];
+    double time[4][2], slip[4][2];
+
+    for (size_t i = 0; i < 4; i++) {
+        const struct rest_point *p = at[i] = &k[i].at;
+        time[i][0] = log(p->time / k[1].at.time);
+        time[i][1] = p->time_slope / p->time;
+        slip[i][0] = log(p->slip / k[1].at.slip);
+        slip[i][1] = p->slip_slope / p->slip;
+    }
+    const double before = at[0]->x - at[1]->x, after = at[2]->x - at[1]->x,
+                 next = at[3]->x - at[1]->x;
+    return (struct slow_off){
+        slow_knot_sixth(time[0], time[1], time[2], before, after, next,
+                        time[3][0]),
+        slow_knot_sixth(slip[0], slip[1], slip[2], before, after, next,
+                        slip[3][0]),
+    };
+}
+
+/* The squares of the distances that a knot's second derivatives are made over,
+ * as of find_bends: they are off by f^(6)/360 times that. */
+static double reach_of(const struct rest_curve *c, size_t i)
+{
+    const struct rest_knot *k = c->knot;
+    const size_t last = c->count - 1;
+    const double x = k[i].at.x;
+    const double before = k[i > 0 ? i - 1 : 2].at.x - x;
+    const double after = k[i < last ? i + 1 : last - 2].at.x - x;
+
+    return before * before * after * after;
+}
+
+/* A polynomial between knots h apart, theta of the way, s = theta (1 - theta),
+ * misses, by itself and by its second derivatives, which tell the other way,
+ *
+ *     f^(6)/6! max ((h^2 s)^3, h^2 reach s^2) <= f^(6)/6! h^2 max (h^4/64,
+ * reach/16).
+ */
 static void judge(struct rest_curve *c)
 {
     struct rest_knot *const k = c->knot;
-    struct rest_point p;
 
-    for (size_t i = 1; i + 1 < c->count; i++) {
-        const double h = k[i + 1].at.x - k[i - 1].at.x;
-        between(&k[i - 1], &k[i + 1], (k[i].at.x - k[i - 1].at.x) / h, &p);
-        const double dt = TOL_SLOW_MISSED * fabs(p.time - k[i].at.time);
-        const double dx = TOL_SLOW_MISSED * fabs(p.slip - k[i].at.slip);
-        for (size_t j = i - 1; j <= i; j++) {
-            k[j].at.time_error = fmax(k[j].at.time_error, dt);
-            k[j].at.slip_error = fmax(k[j].at.slip_error, dx);
+    for (size_t i = 0; i + 3 < c->count; i++) {
+        const struct slow_off f = sixths(&k[i]);
+        for (size_t j = i; j < i + 3; j++) {
+            const double h = k[j + 1].at.x - k[j].at.x, square = h * h;
+            const double reach = fmax(reach_of(c, j), reach_of(c, j + 1));
+            const double most = TOL_BAR_FIRST_ORDER * square *
+                                fmax(square * square / 64.0, reach / 16.0);
+            struct rest_point *const p = &k[j].at;
+            p->time_error = fmax(p->time_error, fabs(f.time) * most * p->time);
+            p->slip_error = fmax(p->slip_error, fabs(f.slip) * most * p->slip);
         }
     }
 }
@@ -304,11 +347,11 @@ enum status rest_curve_run(const struct slider *s, struct vec2 z,
     if (status == STATUS_OK)
         status = descend(c, &o, monitor, &is_down);
     orbit_free(&o);
-    if (!is_down)
+    if (!is_down || c->count < 3)
         c->count = 0;
-    if (status == STATUS_OK && c->count > 2)
+    if (status == STATUS_OK && c->count > 0)
         status = extend(c);
-    if (c->count > 2) {
+    if (c->count > 3) {
         look_back(c);
         find_bends(c);
         judge(c);
@@ -353,7 +396,7 @@ static double y_inside(const struct rest_knot *k, double t, double *slope)
 bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
                        double *y_slope)
 {
-    if (c->count < 3 || x > c->knot[0].at.x)
+    if (c->count < 4 || x > c->knot[0].at.x)
         return false;
     if (x < c->knot[c->count - 1].at.x) {
         const struct rest_lag l = rest_lag_at(c->slider, x);
@@ -369,7 +412,7 @@ bool rest_curve_beside(const struct rest_curve *c, double x, double *y,
 
 bool rest_curve_at(const struct rest_curve *c, double x, struct rest_point *p)
 {
-    if (c->count < 3 || x > c->knot[0].at.x)
+    if (c->count < 4 || x > c->knot[0].at.x)
         return false;
     if (x < c->knot[c->count - 1].at.x) {
         *p = point_below(c->slider, x, &c->knot[c->count - 1].at);

@@ -122,7 +122,7 @@ double slow_knot_x(const struct slow_knot *f, const struct slow_knot *g,
 
 /* (q - q_k - q_k' h)/h^2 for a value with its slope, h beyond that at k, and
  * its derivative. */
-static double over_square(const double k[3], const double f[3], double h,
+static double over_square(const double k[2], const double f[2], double h,
                           double *slope)
 {
     const double q = (f[0] - k[0] - k[1] * h) / (h * h);
@@ -131,16 +131,32 @@ static double over_square(const double k[3], const double f[3], double h,
     return q;
 }
 
-double slow_knot_bend(const double f[3], const double k[3], const double g[3],
-                      double before, double after)
+/* q is a cubic by both of them: at y. */
+static double rest_at(const double f[2], const double k[2], const double g[2],
+                      double before, double after, double y)
 {
-    const double h = after - before, t = -before / h, u = 1.0 - t;
+    const double h = after - before, t = (y - before) / h, u = 1.0 - t;
     double f1, g1;
     const double f0 = over_square(k, f, before, &f1);
     const double g0 = over_square(k, g, after, &g1);
 
-    return 2.0 * (u * u * ((1.0 + 2.0 * t) * f0 + t * h * f1) +
-                  t * t * ((1.0 + 2.0 * u) * g0 - u * h * g1));
+    return u * u * ((1.0 + 2.0 * t) * f0 + t * h * f1) +
+           t * t * ((1.0 + 2.0 * u) * g0 - u * h * g1);
+}
+
+double slow_knot_bend(const double f[2], const double k[2], const double g[2],
+                      double before, double after)
+{
+    return 2.0 * rest_at(f, k, g, before, after, 0.0);
+}
+
+double slow_knot_sixth(const double f[2], const double k[2], const double g[2],
+                       double before, double after, double y, double value)
+{
+    const double p = k[0] + y * (k[1] + y * rest_at(f, k, g, before, after, y));
+    const double w = y * (y - before) * (y - after);
+
+    return (value - p) / (w * w);
 }
 
 double slow_knot_shift(const struct slow_knot *k, double dx)

@@ -63,8 +63,15 @@ double slow_knot_x(const struct slow_knot *f, const struct slow_knot *g,
 
 /* The second derivative at k from values and slopes there and on either side,
  * at the distances before < 0 and after > 0, or the other way round. */
-double slow_knot_bend(const double f[3], const double k[3], const double g[3],
+double slow_knot_bend(const double f[2], const double k[2], const double g[2],
                       double before, double after);
+
+/* The sixth derivative over 6!, by what the polynomial of degree 5 with those
+ * values and slopes misses of a value at y, beside all three: value = p(y) +
+ * f^(6)(.)/6! (y (y - before) (y - after))^2, which vanishes only where f^(6)
+ * does. */
+double slow_knot_sixth(const double f[2], const double k[2], const double g[2],
+                       double before, double after, double y, double value);
 
 /* The polynomial of degree 5 with value, slope and curvature f at y = 0 and g
  * at y = h, at theta h; and its slope there. */

@@ -3,6 +3,8 @@
 
 #include "fast_layer.h"
 #include "fault_alloc.h"
+#include "found.h"
+#include "rest_left.h"
 #include "slope.h"
 #include "stops.h"
 #include "tolerance.h"
@@ -95,6 +97,49 @@ static void the_table_has_no_end(void **state)
     drop(&c, &s);
 }
 
+/* Midway between knots second derivatives, which are those of three knots,
+ * count most; what is left is one quadrature, too. */
+static void between_knots_it_is_within_its_bars(void **state)
+{
+    static const struct found slope = {
+        FRICTION_ASINH,         THETA_LN_PSI,
+        PSI_SS_INVERSE,         TIMESCALE_SLIP,
+        KINETICS_SINH,          0.369,
+        0.026270601147123342,   0.0489,
+        0.00087607094724221853, 133.99995049455831,
+        1.1131264969023437e-08, 1e-6,
+        0.55096367103137478,    1e-6
+    };
+    struct slow_curve c;
+    struct slider s;
+    struct scene scene;
+    size_t known = 0;
+
+    (void) state;
+    found_scene(&slope, steady_only, &scene);
+    slider_init(&s, &scene.law, &scene.material, 0.614431910600887344837L);
+    assert_int_equal(slow_curve_init(&c, &s, NULL), STATUS_OK);
+    for (size_t i = 0; i + 1 < c.rest.count; i++) {
+        const struct rest_knot *k = &c.rest.knot[i];
+        const double x = 0.5 * (k[0].at.x + k[1].at.x);
+        struct rest_point p;
+        struct rest_left left;
+        assert_true(rest_curve_at(&c.rest, x, &p));
+        if (!rest_left_find(&s, (struct vec2){ x, p.y }, 0.0, &left))
+            continue;
+        CHECK(fabs(p.time - left.time) <= p.time_error + left.time_error,
+              "x %g: time %.17g +- %g, not %.17g +- %g", x, p.time,
+              p.time_error, left.time, left.time_error);
+        CHECK(fabs(p.slip - left.slip) <= p.slip_error + left.slip_error,
+              "x %g: slip %.17g +- %g, not %.17g +- %g", x, p.slip,
+              p.slip_error, left.slip, left.slip_error);
+        known += left.time_error < 0.1 * p.time_error;
+    }
+    CHECK(known > 30, "%zu of %zu", known, c.rest.count);
+    slow_curve_free(&c);
+    scene_free(&scene);
+}
+
 static void states_fall_onto_it(void **state)
 {
     struct layer_job job = { .options = layer_defaults(1e-6) };
@@ -167,6 +212,7 @@ int main(void)
         cmocka_unit_test(orbits_on_it_take_the_tabulated_time_and_slip),
         cmocka_unit_test(time_and_slip_change_as_their_slopes_say),
         cmocka_unit_test(the_table_has_no_end),
+        cmocka_unit_test(between_knots_it_is_within_its_bars),
         cmocka_unit_test(states_fall_onto_it),
         cmocka_unit_test(blocks_that_never_rest_have_none),
         cmocka_unit_test(every_allocation_may_fail_and_monitors_stop_it),
