@@ -22,12 +22,9 @@
 static bool is_trapped(const struct plane_study *s, struct vec2 z,
                        bool backward, size_t *index)
 {
-    for (size_t i = 0; i < s->rests; i++) {
-        if (plane_rest_traps(s, &s->rest[i], backward, z)) {
-            *index = i;
+    for (*index = 0; *index < s->rests; ++*index)
+        if (plane_rest_traps(s, &s->rest[*index], backward, z))
             return true;
-        }
-    }
     return false;
 }
 
@@ -152,8 +149,9 @@ static enum status step(struct walk *w)
         const bool held =
             w->series.bent < TOL_LITTLE && vec2_length(way) < TOL_LITTLE;
         w->held = held ? w->held + 1 : 0;
-        if (status == STATUS_NO_CONVERGENCE || w->held > TOL_MONITOR_STEPS ||
-            before > returned(w) + TOL_EXPLICIT_STEPS) {
+        if (box_holds(w->system->domain, place_of(w)) &&
+            (status == STATUS_NO_CONVERGENCE || w->held > TOL_MONITOR_STEPS ||
+             before > returned(w) + TOL_EXPLICIT_STEPS)) {
             w->stopped = !plane_defined_near(w->plan, w->s, place_of(w),
                                              TOL_PLANE_STILL) ||
                          be_implicit(w) != STATUS_OK;
