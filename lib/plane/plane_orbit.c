@@ -90,11 +90,15 @@ static struct vec2 place_of(const struct walk *w)
     return vec2_add(w->system->origin, z);
 }
 
-/* Whether states are real, and where curves are followed is behind it. */
+/* Whether where curves are followed is behind it, and no state is small: what
+ * doubles are too large for may come back. */
 static bool is_far(const struct walk *w)
 {
+    const struct vec2 z = place_of(w), lo = w->s->system[0].domain.lo;
+
     return w->far > TOL_PLANE_FAR &&
-           !(w->system->axis[0].is_log || w->system->axis[1].is_log);
+           !(w->system->axis[0].is_log && z.x < lo.x) &&
+           !(w->system->axis[1].is_log && z.y < lo.y);
 }
 
 static enum status be_implicit(struct walk *w)
@@ -325,10 +329,10 @@ static void break_off(struct plane_goal *out)
 static void come_to_rest(struct walk *w, double theta, struct plane_goal *out)
 {
     const struct curve *c = curve_of(w);
-    struct plane_beyond end;
-
     const struct vec2 z =
         vec2_add(w->system->origin, curve_point(c, c->count - 1, theta));
+    struct plane_beyond end;
+
     if (plane_beyond_at(w->s, z, w->backward, false, &end))
         *out = (struct plane_goal){ .kind = PLANE_GOAL_BEYOND, .beyond = end };
 }
@@ -400,9 +404,8 @@ static size_t steps_of(const struct walk *w)
     return w->series.curve.count + w->implicit.steps + w->implicit.rejected;
 }
 
-/* Whether the guide knows where it is now: asked so seldom that a long orbit is
- * no more than an eighth longer for it, and an answer costs no more than that.
- */
+/* Whether the guide knows where it is now: asked so seldom that answers, which
+ * cost no more than steps, make a long orbit an eighth longer at most. */
 static bool is_known(struct walk *w, struct plane_goal *out)
 {
     const struct plane_guide *g = w->guide;

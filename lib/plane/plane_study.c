@@ -48,19 +48,20 @@ static double period_of(const struct plane_study *s, int i)
 }
 
 /* So far curves are followed; an angle any way round; a positive state as far
- * as doubles go. */
+ * as doubles go, and what is some times as large. */
 static struct box domain_of(const struct plane_study *s)
 {
+    const double most = log(DBL_MAX * DBL_EPSILON);
     const struct box w = s->window.box;
     struct box far = box_grow(w, TOL_PLANE_FAR);
 
     if (scene_axis_is_log(s->scene, 0)) {
         far.lo.x = fmin(w.lo.x, fmax(far.lo.x, log(DBL_MIN)));
-        far.hi.x = fmax(w.hi.x, fmin(far.hi.x, log(DBL_MAX)));
+        far.hi.x = fmax(w.hi.x, fmin(far.hi.x, most));
     }
     if (scene_axis_is_log(s->scene, 1)) {
         far.lo.y = fmin(w.lo.y, fmax(far.lo.y, log(DBL_MIN)));
-        far.hi.y = fmax(w.hi.y, fmin(far.hi.y, log(DBL_MAX)));
+        far.hi.y = fmax(w.hi.y, fmin(far.hi.y, most));
     }
     if (s->scale.period.x > 0.0) {
         far.lo.x = w.lo.x - TOL_PLANE_ROUND * s->scale.period.x;
