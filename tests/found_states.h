@@ -435,4 +435,13 @@ static const struct {
       { -20.120276915640211, 9.9242209542196758 },
       EXACT_NONE,
       "the same of time, before a box of arrest" },
+    { { FRICTION_LOG, THETA_PSI, PSI_SS_SPINODAL, TIMESCALE_SLIP45,
+        KINETICS_LINEAR, 0.14842602794679438, 0.021669173466347551,
+        0.071733297293695986, 7.2987439902783992e-06, 32.479824767693565,
+        1.3926749201491524e-05, 2.5530844653310284e-08, 97.821227932995328,
+        1e-7 },
+      1.16532602450105177638L,
+      { 14.308453023444766, 9.8536611827258458 },
+      EXACT_BOTH,
+      "a knot at which y stands still, of which nothing is late along y" },
 };

@@ -14,6 +14,8 @@ struct slow_off slow_off_gained(struct drift *d, struct slow_off late,
 {
     const struct slow_off before = *was;
 
+    if (!isfinite(late.time + late.slip))
+        late = before;
     *was = late;
     return (struct slow_off){
         drift_gained(d, TIME) + late.time - before.time,

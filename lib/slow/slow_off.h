@@ -15,7 +15,8 @@ struct slow_off {
 
 /* What the orbit's last step made of both; late: how far along the function
  * the orbit is off, times what time and slip to come change by; *was: the same
- * where the step began, and then here. */
+ * where the step began, and then here.  Not finite where the function stands
+ * still: the next step tells it. */
 struct slow_off slow_off_gained(struct drift *d, struct slow_off late,
                                 struct slow_off *was);
 
