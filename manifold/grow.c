@@ -53,8 +53,8 @@ static void turn(struct grower *g, int ind, double lean)
     g->lean = lean;
     const double rate = grower_along(g, f) / before;
     const double ahead = grower_along(g, off) / rate;
-    const double dep = grower_coordinate(f, 1 - ind) / before;
-    grow_error_turn(g, grower_coordinate(off, 1 - ind) - dep * ahead, ahead);
+    const double dep = vec2_part(f, 1 - ind) / before;
+    grow_error_turn(g, vec2_part(off, 1 - ind) - dep * ahead, ahead);
     g->toward = rate >= 0.0 ? g->toward : -g->toward;
     g->last *= fabs(rate);
     grow_error_look(g, g->z);
@@ -69,8 +69,7 @@ static void turn(struct grower *g, int ind, double lean)
 static double lean_of(const struct grower *g)
 {
     const struct vec2 f = g->end.J.field.direction;
-    const double slope =
-        grower_coordinate(f, 1 - g->ind) / grower_coordinate(f, g->ind);
+    const double slope = vec2_part(f, 1 - g->ind) / vec2_part(f, g->ind);
     const double bend = g->out.slope_i + g->out.slope_d * slope;
     const double lean =
         g->lean == 0.0 ? g->toward * fabs(slope) / bend : g->lean;

@@ -11,7 +11,7 @@
  * unit of the independent coordinate. */
 static bool hardly_changes(const struct grower *g, double part)
 {
-    const double unknown = fabs(grower_coordinate(g->z, 1 - g->ind));
+    const double unknown = fabs(vec2_part(g->z, 1 - g->ind));
 
     if (!(fabs(g->out.slope) <= part * fmin(1.0, unknown)))
         return false;
@@ -41,8 +41,7 @@ static bool may_close(const struct grower *g)
 static bool has_limit(struct grower *g)
 {
     if (g->limited != 1 + g->ind &&
-        limit_exists(g->sys, g->ind, g->toward,
-                     grower_coordinate(g->z, 1 - g->ind)))
+        limit_exists(g->sys, g->ind, g->toward, vec2_part(g->z, 1 - g->ind)))
         g->limited = 1 + g->ind;
     return g->limited == 1 + g->ind;
 }
@@ -59,7 +58,7 @@ static struct tail_most most_of(const struct grower *g)
 {
     const bool late = hardly_changes(g, TOL_ROOT);
     const double part = TOL_TAYLOR_STEP * g->o->rtol;
-    const double unknown = fabs(grower_coordinate(g->z, 1 - g->ind));
+    const double unknown = fabs(vec2_part(g->z, 1 - g->ind));
     struct tail_most most = { .unknown =
                                   late ? HUGE_VAL : part * fmin(1.0, unknown) };
 

@@ -61,19 +61,14 @@ struct grower {
     size_t order; /* of u */
 };
 
-static inline double grower_coordinate(struct vec2 z, int i)
-{
-    return i == 0 ? z.x : z.y;
-}
-
 /* How far the independent coordinate may go. */
 static inline double grower_room(const struct grower *g)
 {
     const struct box domain = g->sys->domain;
     const double edge =
-        grower_coordinate(g->toward > 0 ? domain.hi : domain.lo, g->ind);
-    const double here = grower_coordinate(g->z, g->ind) +
-                        grower_coordinate(g->sys->origin, g->ind);
+        vec2_part(g->toward > 0 ? domain.hi : domain.lo, g->ind);
+    const double here =
+        vec2_part(g->z, g->ind) + vec2_part(g->sys->origin, g->ind);
 
     return (edge - here) * g->toward;
 }
@@ -81,15 +76,14 @@ static inline double grower_room(const struct grower *g)
 /* Of a direction: along what the graph is over, and dep's slope by that. */
 static inline double grower_along(const struct grower *g, struct vec2 d)
 {
-    const double ind = grower_coordinate(d, g->ind);
+    const double ind = vec2_part(d, g->ind);
 
-    return g->lean == 0.0 ? ind
-                          : ind + g->lean * grower_coordinate(d, 1 - g->ind);
+    return g->lean == 0.0 ? ind : ind + g->lean * vec2_part(d, 1 - g->ind);
 }
 
 static inline double grower_slope(const struct grower *g, struct vec2 d)
 {
-    return grower_coordinate(d, 1 - g->ind) / grower_along(g, d);
+    return vec2_part(d, 1 - g->ind) / grower_along(g, d);
 }
 
 /* The point of its series at s, where dep is told. */
