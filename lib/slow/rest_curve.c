@@ -306,8 +306,8 @@ static double reach_of(const struct rest_curve *c, size_t i)
 /* A polynomial between knots h apart, theta of the way, s = theta (1 - theta),
  * misses, by itself and by its second derivatives, which tell the other way,
  *
- *     f^(6)/6! max ((h^2 s)^3, h^2 reach s^2) <= f^(6)/6! h^2 max (h^4/64,
- * reach/16).
+ *     f^(6)/6! max ((h^2 s)^3, h^2 reach s^2)
+ *         <= f^(6)/6! h^2 max (h^4/64, reach/16).
  */
 static void judge(struct rest_curve *c)
 {

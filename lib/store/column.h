@@ -4,7 +4,6 @@
 
 #include <stddef.h>
 
-
 #include "axis.h"
 #include "hdf.h"
 #include "record.h"

@@ -6,7 +6,6 @@
  * plain order, without a branch after each. */
 #pragma once
 
-
 #include "handles.h"
 #include "status.h"
 
